@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EXECUTION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EXECUTION_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Thrown on the calling thread when the user's callback asked to stop; public functions catch it
+/// and leave their output untouched.
+struct Cancelled {};
+
+/// Seconds and iterations of the stages of a call, in order.
+struct Stage_time {
+  std::string name;
+  double seconds = 0;
+  std::size_t iterations = 0;
+};
+using Stage_times = std::vector<Stage_time>;
+
+/// One monotone progress in [0, 1] over a whole call. The callback runs on the calling thread only,
+/// between iterations, so it may throw: the exception leaves the public function like any other.
+class Progress {
+public:
+  Progress() = default;
+  explicit Progress(std::function<bool(double)> callback) : m_callback(std::move(callback)) {}
+
+  bool is_observed() const { return bool(m_callback); }
+
+  /// Reports `fraction` of the current stage; throws `Cancelled` if the user wants to stop.
+  void update(double fraction)
+  {
+    if(!m_callback)
+      return;
+    const double value = (std::min)(1., m_done + m_share * (std::min)(1., fraction));
+    m_last = (std::max)(m_last, value);
+    if(!m_callback(m_last))
+      throw Cancelled();
+  }
+  void begin_stage(double share) { m_share = share; }
+  void end_stage() { m_done += m_share; m_share = 0; }
+  void finish() { m_done = 1; m_share = 0; update(1); }
+
+private:
+  std::function<bool(double)> m_callback;
+  double m_done = 0, m_share = 0, m_last = 0;
+};
+
+/// How a stage runs: in parallel or not, and whom it tells. Results do not depend on it.
+struct Execution {
+  bool parallel = false;
+  Progress progress;
+  Stage_times times;
+};
+
+template <typename ConcurrencyTag>
+Execution make_execution(std::function<bool(double)> callback = {})
+{
+  constexpr bool parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!parallel, "Parallel_tag needs TBB: link CGAL::TBB_support");
+#endif
+  return Execution{parallel, Progress(std::move(callback)), {}};
+}
+
+/// Books the time of a stage and its share of the progress.
+class Stage {
+public:
+  Stage(Execution& execution, const char* name, double share)
+    : m_execution(execution), m_name(name), m_start(Clock::now())
+  {
+    m_execution.progress.begin_stage(share);
+    m_execution.progress.update(0);
+  }
+  ~Stage()
+  {
+    m_execution.progress.end_stage();
+    const std::chrono::duration<double> elapsed = Clock::now() - m_start;
+    m_execution.times.push_back({m_name, elapsed.count(), m_iterations});
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  void update(double fraction) { m_execution.progress.update(fraction); }
+  void count_iteration() { ++m_iterations; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Execution& m_execution;
+  std::string m_name;
+  Clock::time_point m_start;
+  std::size_t m_iterations = 0;
+};
+
+/// Calls `body(i)` for i in [0, n). `body` writes only to slots of its own i, so that the result is the
+/// same for any number of threads.
+template <typename Body>
+void parallel_for(const Execution& execution, std::size_t n, const Body& body)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution.parallel) {
+    constexpr std::size_t grain = 64;  // about 0.1 ms of neighbour sums: overhead not measurable
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                      [&body](const tbb::blocked_range<std::size_t>& range) {
+                        for(std::size_t i = range.begin(); i != range.end(); ++i)
+                          body(i);
+                      });
+    return;
+  }
+#else
+  (void)execution;
+#endif
+  for(std::size_t i = 0; i < n; ++i)
+    body(i);
+}
+
+/// Runs `work(observer)`, a long call into CGAL whose own callback may come from another thread
+/// (CGAL's parallel functions poll from a helper thread). The user's callback stays on the calling
+/// thread: when it is needed, the work moves to a helper thread and the caller waits and reports.
+template <typename Work>
+void run_observed(Stage& stage, const Execution& execution, const Work& work)
+{
+  if(!execution.progress.is_observed()) {
+    work(std::function<bool(double)>());
+    return;
+  }
+  if(!execution.parallel) {
+    bool cancelled = false;
+    std::exception_ptr error;
+    work([&](double fraction) {
+      if(cancelled)
+        return false;
+      try {
+        stage.update(fraction);
+      }
+      catch(...) {
+        cancelled = true;
+        error = std::current_exception();
+      }
+      return !cancelled;
+    });
+    if(error)
+      std::rethrow_exception(error);
+    return;
+  }
+
+  std::atomic<double> fraction{0};
+  std::atomic<bool> stop{false};
+  std::mutex mutex;
+  std::condition_variable wake;
+  bool done = false;
+  std::exception_ptr work_error, callback_error;
+  std::thread worker([&] {
+    try {
+      work([&](double f) { fraction = f; return !stop.load(); });
+    }
+    catch(...) {
+      work_error = std::current_exception();
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    done = true;
+    wake.notify_one();
+  });
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    while(!wake.wait_for(lock, std::chrono::milliseconds(20), [&] { return done; })) {
+      if(stop)
+        continue;
+      lock.unlock();
+      try {
+        stage.update(fraction);
+      }
+      catch(...) {
+        callback_error = std::current_exception();
+        stop = true;
+      }
+      lock.lock();
+    }
+  }
+  worker.join();
+  if(callback_error)
+    std::rethrow_exception(callback_error);
+  if(work_error)
+    std::rethrow_exception(work_error);
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EXECUTION_H

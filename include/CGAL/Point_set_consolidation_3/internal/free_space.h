@@ -1,0 +1,215 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FREE_SPACE_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FREE_SPACE_H
+
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/views.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// What is known to be empty because a ray has passed there: for each view an image of the scan with
+/// the nearest data to the scanner, and the distance to the silhouette.
+/// Completion text, step 2: phi_w = max(distance to the silhouette - e, height - nearest height - margin),
+/// Phi = max over the views; x is free where Phi(x) > 0.
+class Free_space {
+  static constexpr int closing_pixels = 4;   ///< gaps of the sampling that are not seen through
+  static constexpr int padding_pixels = 6;
+  static constexpr double max_pixels = 4e6;  ///< per view; larger images are sampled more coarsely
+
+public:
+  Free_space() = default;
+
+  /// `margin`: how far in front of the data space is not yet called free.
+  Free_space(const Execution& execution, const Points& points, const Scan_directions& directions,
+             double margin)
+    : m_margin(margin)
+  {
+    for(std::size_t v = 0; v < directions.number_of_views(); ++v) {
+      Points seen, rays;
+      for(std::size_t i = 0; i < points.size(); ++i) {
+        if(directions.view[i] == v) {
+          seen.push_back(points[i]);
+          rays.push_back(directions.towards_scanner[i]);
+        }
+      }
+      constexpr std::size_t least_points = 16;  // fewer do not make an image
+      if(seen.size() >= least_points)
+        m_images.push_back(make_image(execution, seen, Projection::fit(seen, rays)));
+    }
+    for(const Image& image : m_images)
+      m_tolerance = (std::max)(m_tolerance, image.pixel);
+  }
+
+  bool empty() const { return m_images.empty(); }
+  std::size_t number_of_views() const { return m_images.size(); }
+  const Projection& projection(std::size_t view) const { return m_images[view].projection; }
+
+  /// Phi(x), in units of length: positive where a ray has passed.
+  double operator()(const Vec3& x) const
+  {
+    double phi = -(std::numeric_limits<double>::max)();
+    for(const Image& image : m_images) {
+      const Vec3 u = image.projection(x);
+      phi = (std::max)(phi, image.silhouette_distance(u) - m_tolerance);
+      phi = (std::max)(phi, u.z() - image.nearest_height(u) - m_margin);
+    }
+    return phi;
+  }
+
+  /// Moves a point that lies in free space back towards where it may be, by at most `step`.
+  Vec3 pushed_back(const Vec3& x, double silhouette_tolerance, double step) const
+  {
+    Vec3 moved = x;
+    for(const Image& image : m_images) {
+      const Vec3 u = image.projection(moved);
+      const double outside = image.silhouette_distance(u) - silhouette_tolerance;
+      if(outside > 0) {
+        const double h = 0.5 * image.pixel;
+        const double gx = image.silhouette_distance(u + h * Vec3::UnitX()) -
+                          image.silhouette_distance(u - h * Vec3::UnitX());
+        const double gy = image.silhouette_distance(u + h * Vec3::UnitY()) -
+                          image.silhouette_distance(u - h * Vec3::UnitY());
+        const Vec3 gradient = gx * image.projection.right() + gy * image.projection.up();
+        moved -= (std::min)(outside, step) * normalized_or(gradient, Vec3::Zero());
+      }
+      else {
+        const double in_front = u.z() - image.nearest_height(u) - m_margin;
+        if(in_front > 0)
+          moved -= (std::min)(in_front, step) * image.projection.towards_scanner(moved);
+      }
+    }
+    return moved;
+  }
+
+private:
+  struct Image {
+    Projection projection;
+    double pixel = 1, origin_x = 0, origin_y = 0;
+    int width = 0, height = 0;
+    std::vector<float> nearest;   ///< height of the data nearest to the scanner, -inf: none
+    std::vector<float> distance;  ///< of the pixel's centre to the silhouette
+
+    std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
+    Vec3 pixel_centre(int x, int y) const
+    {
+      return Vec3(origin_x + (x + 0.5) * pixel, origin_y + (y + 0.5) * pixel, 0);
+    }
+
+    double nearest_height(const Vec3& u) const
+    {
+      const double x = std::floor((u.x() - origin_x) / pixel);
+      const double y = std::floor((u.y() - origin_y) / pixel);
+      if(!(x >= 0 && y >= 0 && x < width && y < height))
+        return (std::numeric_limits<double>::max)();
+      const float value = nearest[at(int(x), int(y))];
+      return std::isfinite(value) ? double(value) : (std::numeric_limits<double>::max)();
+    }
+
+    /// Bilinear; beyond the image all is free.
+    double silhouette_distance(const Vec3& u) const
+    {
+      const double x = (u.x() - origin_x) / pixel - 0.5, y = (u.y() - origin_y) / pixel - 0.5;
+      if(!(x >= 0 && y >= 0 && x < width - 1 && y < height - 1)) {
+        const double out_x = (std::max)({-x, x - (width - 1), 0.});
+        const double out_y = (std::max)({-y, y - (height - 1), 0.});
+        return pixel * (padding_pixels + std::sqrt(out_x * out_x + out_y * out_y));
+      }
+      const int x0 = int(x), y0 = int(y);
+      const double s = x - x0, t = y - y0;
+      return (1 - t) * ((1 - s) * distance[at(x0, y0)] + s * distance[at(x0 + 1, y0)]) +
+             t * ((1 - s) * distance[at(x0, y0 + 1)] + s * distance[at(x0 + 1, y0 + 1)]);
+    }
+  };
+
+  static Image make_image(const Execution& execution, const Points& points,
+                          const Projection& projection)
+  {
+    Image image;
+    image.projection = projection;
+    Points flat(points.size());
+    std::vector<double> height(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      flat[i] = projection(points[i]);
+      height[i] = flat[i].z();
+      flat[i].z() = 0;
+    }
+    const Nearest_neighbors tree(flat);
+    std::vector<double> sixth(points.size());
+    parallel_for(execution, points.size(), [&](std::size_t i) {
+      std::vector<Neighbor> neighbors;
+      tree.find(flat[i], 7, neighbors);
+      sixth[i] = std::sqrt(neighbors.back().squared_distance);
+    });
+    const Vec3 sides = bounding_box(flat).sides();
+    image.pixel = (std::max)(mean(sixth), std::sqrt(sides.x() * sides.y() / max_pixels));
+    image.pixel = (std::max)(image.pixel, 1e-3);
+    const Vec3 lower = bounding_box(flat).lower;
+    image.origin_x = lower.x() - padding_pixels * image.pixel;
+    image.origin_y = lower.y() - padding_pixels * image.pixel;
+    image.width = int(sides.x() / image.pixel) + 1 + 2 * padding_pixels;
+    image.height = int(sides.y() / image.pixel) + 1 + 2 * padding_pixels;
+
+    const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
+    image.nearest.assign(pixels, -std::numeric_limits<float>::infinity());
+    for(std::size_t i = 0; i < flat.size(); ++i) {
+      const int x = int((flat[i].x() - image.origin_x) / image.pixel);
+      const int y = int((flat[i].y() - image.origin_y) / image.pixel);
+      for(int dy = -1; dy <= 1; ++dy)
+        for(int dx = -1; dx <= 1; ++dx) {
+          float& value = image.nearest[image.at(x + dx, y + dy)];
+          value = (std::max)(value, float(height[i]));
+        }
+    }
+    image.distance.resize(pixels);
+    parallel_for(execution, pixels, [&](std::size_t p) {
+      const Vec3 centre =
+        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
+      image.distance[p] = float(std::sqrt(tree.nearest(centre).squared_distance));
+    });
+    close_gaps(execution, image);
+    return image;
+  }
+
+  /// Pixels within four of the data but far from everything outside are gaps of the sampling.
+  static void close_gaps(const Execution& execution, Image& image)
+  {
+    const double reach = closing_pixels * image.pixel;
+    Points outside;
+    for(int y = 0; y < image.height; ++y)
+      for(int x = 0; x < image.width; ++x)
+        if(image.distance[image.at(x, y)] > reach)
+          outside.push_back(image.pixel_centre(x, y));
+    if(outside.empty())
+      return;
+    const Nearest_neighbors tree(outside);
+    parallel_for(execution, image.distance.size(), [&](std::size_t p) {
+      float& distance = image.distance[p];
+      if(distance > reach || distance <= 0.7 * image.pixel)
+        return;
+      const Vec3 centre =
+        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
+      const double to_outside = std::sqrt(tree.nearest(centre).squared_distance);
+      distance = to_outside > reach
+                   ? 0.f
+                   : (std::min)(distance, float(reach - to_outside + 0.7 * image.pixel));
+    });
+  }
+
+  double m_margin = 0;
+  double m_tolerance = 0;
+  std::vector<Image> m_images;
+};
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FREE_SPACE_H

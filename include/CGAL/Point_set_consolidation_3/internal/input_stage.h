@@ -1,0 +1,297 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INPUT_STAGE_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INPUT_STAGE_H
+
+#include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/views.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/jet_estimate_normals.h>
+#include <CGAL/mst_orient_normals.h>
+#include <CGAL/pca_estimate_normals.h>
+#include <CGAL/property_map.h>
+#include <CGAL/wlop_simplify_and_regularize_point_set.h>
+
+#include <functional>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+#include <tuple>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Deep points paper, section 3: the raw points C become a denoised, oriented, evenly spread set S, by CGAL's
+/// WLOP and jet fitting, in the frame whose unit is the spacing r of S, equation (1).
+
+/// What a method starts from. All lengths are in units of `frame.unit`.
+struct Consolidated_input {
+  Frame frame;
+  Points data;                 ///< C, in the caller's order
+  Points hints;                ///< rough normals of C; empty: none
+  Scan_directions directions;  ///< empty: none
+  Points points;               ///< S
+  Points normals;
+};
+
+typedef CGAL::Simple_cartesian<double> Core_kernel;
+
+/// Pseudo-random indices without repetition, in the order drawn; the same for the same arguments.
+inline std::vector<std::size_t> random_subset(std::size_t n, std::size_t count, std::uint64_t seed)
+{
+  std::mt19937_64 generator(seed);
+  std::vector<std::size_t> order(n);
+  for(std::size_t i = 0; i < n; ++i)
+    order[i] = i;
+  count = (std::min)(count, n);
+  for(std::size_t i = 0; i < count; ++i)
+    std::swap(order[i], order[i + std::size_t(generator() % (n - i))]);
+  order.resize(count);
+  return order;
+}
+
+/// Spacing to be expected of `count` points spread over the data: that of a random subset, as the median of
+/// the mean distances to six neighbours, so that outliers do not matter.
+inline double expected_spacing(const Execution& execution, const Points& data, std::size_t count)
+{
+  Points subset;
+  for(const std::size_t i : random_subset(data.size(), count, 0))
+    subset.push_back(data[i]);
+  return median(neighbor_distances(execution, Nearest_neighbors(subset), subset, 6));
+}
+
+/// CGAL's WLOP with the neighbourhood that measured best: twice the spacing of the output. (Its own
+/// default, eight spacings of the input, depends on the share that is kept.) Works on a copy:
+/// CGAL shuffles the range it is given.
+template <typename ConcurrencyTag>
+Points wlop(Execution& execution, Stage& stage, const Points& data, std::size_t count,
+            double neighbor_radius, unsigned int iterations, bool require_uniform_sampling)
+{
+  if(count >= data.size())
+    count = data.size();
+  std::vector<Core_kernel::Point_3> copy, output;
+  copy.reserve(data.size());
+  for(const Vec3& p : data)
+    copy.emplace_back(p.x(), p.y(), p.z());
+  output.reserve(count);
+  // half a point more, so that the truncation inside gives `count`
+  const double percentage =
+    (std::min)(100., 100. * (double(count) + 0.5) / double(data.size()));
+  run_observed(stage, execution, [&](const std::function<bool(double)>& observer) {
+    output.clear();
+    const auto np = CGAL::parameters::select_percentage(percentage)
+                      .neighbor_radius(neighbor_radius)
+                      .number_of_iterations(iterations)
+                      .require_uniform_sampling(require_uniform_sampling);
+    if(observer)
+      CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(
+        copy, std::back_inserter(output), np.callback([&](double f) { return observer(f); }));
+    else
+      CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(
+        copy, std::back_inserter(output), np);
+  });
+  Points points;
+  points.reserve(output.size());
+  for(const Core_kernel::Point_3& p : output) {
+    const Vec3 q(p.x(), p.y(), p.z());
+    if(q.allFinite())
+      points.push_back(q);
+  }
+  return points;
+}
+
+typedef std::tuple<Core_kernel::Point_3, Core_kernel::Vector_3, std::size_t> Oriented_tuple;
+typedef CGAL::Nth_of_tuple_property_map<0, Oriented_tuple> Tuple_point_map;
+typedef CGAL::Nth_of_tuple_property_map<1, Oriented_tuple> Tuple_normal_map;
+
+/// Unoriented normals by CGAL's jet fitting; +z where the fit fails.
+template <typename ConcurrencyTag>
+Points jet_normals(const Points& points, unsigned int neighbors)
+{
+  std::vector<Oriented_tuple> tuples(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    tuples[i] = Oriented_tuple(Core_kernel::Point_3(points[i].x(), points[i].y(), points[i].z()),
+                               Core_kernel::Vector_3(0, 0, 1), i);
+  Points normals(points.size(), Vec3::UnitZ());
+  if(points.size() < 3)
+    return normals;
+  // a jet of degree 2 needs six points; small sets get a plane
+  constexpr std::size_t jet_points = 6;
+  neighbors = (unsigned int)((std::min)(std::size_t(neighbors), points.size() - 1));
+  const auto np = CGAL::parameters::point_map(Tuple_point_map()).normal_map(Tuple_normal_map());
+  if(neighbors + 1 >= jet_points)
+    CGAL::jet_estimate_normals<ConcurrencyTag>(tuples, neighbors, np);
+  else
+    CGAL::pca_estimate_normals<ConcurrencyTag>(tuples, (std::max)(2u, neighbors), np);
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    const Core_kernel::Vector_3& n = std::get<1>(tuples[i]);
+    const Vec3 v(n.x(), n.y(), n.z());
+    if(v.allFinite())
+      normals[i] = normalized_or(v, Vec3::UnitZ());
+  }
+  return normals;
+}
+
+/// Orients normals like the mean hint of the nearest data. Hints may be rough normals or directions
+/// towards the scanner.
+inline void orient_by_hints(const Execution& execution, const Points& points, Points& normals,
+                            const Points& data, const Points& hints)
+{
+  constexpr std::size_t voters = 12;
+  const Nearest_neighbors tree(data);
+  parallel_for(execution, points.size(), [&](std::size_t i) {
+    std::vector<Neighbor> neighbors;
+    tree.find(points[i], voters, neighbors);
+    double vote = 0;
+    for(const Neighbor& neighbor : neighbors)
+      vote += normals[i].dot(hints[neighbor.index]);
+    if(vote < 0)
+      normals[i] = -normals[i];
+  });
+}
+
+/// Flips a component's normals if the outermost points of most directions look inwards.
+inline void orient_component_outwards(const Points& points, Points& normals,
+                                      const std::vector<std::size_t>& component)
+{
+  double vote = 0;
+  for(int x = -1; x <= 1; ++x)
+    for(int y = -1; y <= 1; ++y)
+      for(int z = -1; z <= 1; ++z) {
+        if(x == 0 && y == 0 && z == 0)
+          continue;
+        const Vec3 direction = Vec3(x, y, z).normalized();
+        std::size_t outermost = component.front();
+        for(const std::size_t i : component)
+          if(points[i].dot(direction) > points[outermost].dot(direction))
+            outermost = i;
+        vote += normals[outermost].dot(direction);
+      }
+  if(vote < 0)
+    for(const std::size_t i : component)
+      normals[i] = -normals[i];
+}
+
+/// Orients normals by CGAL's minimum spanning tree, component by component.
+inline void orient_by_spanning_tree(const Points& points, Points& normals, unsigned int neighbors)
+{
+  std::vector<Oriented_tuple> left(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    left[i] = Oriented_tuple(Core_kernel::Point_3(points[i].x(), points[i].y(), points[i].z()),
+                             Core_kernel::Vector_3(normals[i].x(), normals[i].y(), normals[i].z()),
+                             i);
+  while(!left.empty()) {
+    std::vector<std::size_t> component;
+    std::vector<Oriented_tuple>::iterator last = left.end();
+    if(left.size() > 3)
+      last = CGAL::mst_orient_normals(
+        left, (unsigned int)((std::min)(std::size_t(neighbors), left.size() - 1)),
+        CGAL::parameters::point_map(Tuple_point_map()).normal_map(Tuple_normal_map()));
+    if(last == left.begin())
+      last = left.end();
+    for(auto it = left.begin(); it != last; ++it) {
+      const std::size_t i = std::get<2>(*it);
+      const Core_kernel::Vector_3& n = std::get<1>(*it);
+      normals[i] = Vec3(n.x(), n.y(), n.z());
+      component.push_back(i);
+    }
+    orient_component_outwards(points, normals, component);
+    left.erase(left.begin(), last);
+  }
+}
+
+struct Input_parameters {
+  std::size_t particles = 0;          ///< |S|; 0: by `default_particles`
+  double neighbor_radius = 0;         ///< of WLOP, in the caller's unit; 0: twice the output's spacing
+  unsigned int iterations = 35;       ///< of WLOP
+  bool require_uniform_sampling = false;
+  unsigned int normal_neighbors = 18;
+  unsigned int orientation_neighbors = 12;
+};
+
+/// A twentieth of the data, at least 4000 points: enough for the shapes of the accuracy study.
+inline std::size_t default_particles(std::size_t n)
+{
+  return (std::min)(n, (std::max)(std::size_t(4000), n / 20));
+}
+
+/// Puts the caller's points into a frame of their own: origin in their middle (the median, so that
+/// outliers do not move it), unit the spacing of `count` of them.
+inline Frame data_frame(const Execution& execution, const Points& world, std::size_t count)
+{
+  Frame frame;
+  for(int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values(world.size());
+    for(std::size_t i = 0; i < world.size(); ++i)
+      values[i] = world[i][axis];
+    frame.origin[axis] = median(std::move(values));
+  }
+  Points centred(world.size());
+  for(std::size_t i = 0; i < world.size(); ++i)
+    centred[i] = world[i] - frame.origin;
+  frame.unit = expected_spacing(execution, centred, count);
+  return frame;
+}
+
+template <typename ConcurrencyTag>
+Consolidated_input consolidate_input(Execution& execution, double share, const Points& world,
+                                     const Points& hints, const Scan_directions& directions,
+                                     const Input_parameters& parameters)
+{
+  Consolidated_input input;
+  input.hints = hints;
+  input.directions = directions;
+  const std::size_t count = parameters.particles > 0
+                              ? (std::min)(parameters.particles, world.size())
+                              : default_particles(world.size());
+  {
+    Stage stage(execution, "wlop", 0.9 * share);
+    input.frame = data_frame(execution, world, count);
+    if(!(input.frame.unit > 0))
+      throw std::invalid_argument("more than half of the points coincide: no spacing to work with");
+    for(const Vec3& p : world)
+      input.data.push_back(input.frame.to_local(p));
+    const double radius =
+      parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
+    input.points = wlop<ConcurrencyTag>(execution, stage, input.data, count, radius,
+                                        parameters.iterations,
+                                        parameters.require_uniform_sampling);
+  }
+  Stage stage(execution, "normals", 0.1 * share);
+
+  // from here on the unit is r, equation (1)
+  const double r =
+    mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
+  if(!(r > 0))
+    throw std::invalid_argument("the consolidated points coincide: no spacing to work with");
+  input.frame.unit *= r;
+  for(Vec3& p : input.points)
+    p /= r;
+  for(Vec3& p : input.data)
+    p /= r;
+
+  input.normals = jet_normals<ConcurrencyTag>(input.points, parameters.normal_neighbors);
+  stage.update(0.5);
+  if(!directions.empty())
+    orient_by_hints(execution, input.points, input.normals, input.data,
+                    directions.towards_scanner);
+  else if(!hints.empty())
+    orient_by_hints(execution, input.points, input.normals, input.data, hints);
+  else
+    orient_by_spanning_tree(input.points, input.normals, parameters.orientation_neighbors);
+  return input;
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INPUT_STAGE_H
