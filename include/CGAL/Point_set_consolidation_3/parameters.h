@@ -105,6 +105,15 @@
   X(number_of_segments)                                                                 \
   X(radius_map)                                                                         \
   X(contraction_factor)                                                                 \
+  X(contraction_weight)      /* W_L^0, relative to its default */                       \
+  X(attraction_weight)       /* W_H^0 */                                                \
+  X(laplacian_weights)                                                                  \
+  X(convergence_threshold)                                                              \
+  X(sampling_radius)         /* of the nodes of a skeleton graph */                     \
+  X(largest_merged_cycle)                                                               \
+  X(extend_tips)                                                                        \
+  X(grid_resolution)         /* cells along the longest side */                         \
+  X(outside_factor)          /* K */                                                    \
   X(smoothness_weight)                                                                  \
   X(surface_weight)                                                                     \
   X(skeleton_weight)                                                                    \
