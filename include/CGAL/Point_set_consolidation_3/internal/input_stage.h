@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -21,7 +22,6 @@
 
 #include <functional>
 #include <iterator>
-#include <random>
 #include <stdexcept>
 #include <tuple>
 
@@ -43,30 +43,6 @@ struct Consolidated_input {
 };
 
 typedef CGAL::Simple_cartesian<double> Core_kernel;
-
-/// Pseudo-random indices without repetition, in the order drawn; the same for the same arguments.
-inline std::vector<std::size_t> random_subset(std::size_t n, std::size_t count, std::uint64_t seed)
-{
-  std::mt19937_64 generator(seed);
-  std::vector<std::size_t> order(n);
-  for(std::size_t i = 0; i < n; ++i)
-    order[i] = i;
-  count = (std::min)(count, n);
-  for(std::size_t i = 0; i < count; ++i)
-    std::swap(order[i], order[i + std::size_t(generator() % (n - i))]);
-  order.resize(count);
-  return order;
-}
-
-/// Spacing to be expected of `count` points spread over the data: that of a random subset, as the median of
-/// the mean distances to six neighbours, so that outliers do not matter.
-inline double expected_spacing(const Execution& execution, const Points& data, std::size_t count)
-{
-  Points subset;
-  for(const std::size_t i : random_subset(data.size(), count, 0))
-    subset.push_back(data[i]);
-  return median(neighbor_distances(execution, Nearest_neighbors(subset), subset, 6));
-}
 
 /// CGAL's WLOP with the neighbourhood that measured best: twice the spacing of the output. (Its own
 /// default, eight spacings of the input, depends on the share that is kept.) Works on a copy:
@@ -221,24 +197,6 @@ struct Input_parameters {
 inline std::size_t default_particles(std::size_t n)
 {
   return (std::min)(n, (std::max)(std::size_t(4000), n / 20));
-}
-
-/// Puts the caller's points into a frame of their own: origin in their middle (the median, so that
-/// outliers do not move it), unit the spacing of `count` of them.
-inline Frame data_frame(const Execution& execution, const Points& world, std::size_t count)
-{
-  Frame frame;
-  for(int axis = 0; axis < 3; ++axis) {
-    std::vector<double> values(world.size());
-    for(std::size_t i = 0; i < world.size(); ++i)
-      values[i] = world[i][axis];
-    frame.origin[axis] = median(std::move(values));
-  }
-  Points centred(world.size());
-  for(std::size_t i = 0; i < world.size(); ++i)
-    centred[i] = world[i] - frame.origin;
-  frame.unit = expected_spacing(execution, centred, count);
-  return frame;
 }
 
 template <typename ConcurrencyTag>
