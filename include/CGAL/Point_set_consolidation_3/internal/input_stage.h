@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
@@ -192,6 +193,32 @@ struct Input_parameters {
   unsigned int normal_neighbors = 18;
   unsigned int orientation_neighbors = 12;
 };
+
+template <typename NP>
+Input_parameters read_input_parameters(const char* function, const NP& np, std::size_t n)
+{
+  Input_parameters input;
+  if constexpr(has_parameter<NP, CGAL::internal_np::number_of_output_points_t>) {
+    input.particles =
+      parameter_or(np, CGAL::internal_np::number_of_output_points, std::size_t(0));
+    require(input.particles > 0, function, "number_of_output_points must be positive");
+  }
+  else if constexpr(has_parameter<NP, CGAL::internal_np::select_percentage_t>) {
+    const double percentage =
+      positive(function, np, CGAL::internal_np::select_percentage, "select_percentage", 5);
+    require(percentage <= 100, function, "select_percentage must be at most 100");
+    input.particles = (std::max)(std::size_t(1), std::size_t(percentage / 100 * double(n)));
+  }
+  if constexpr(has_parameter<NP, CGAL::internal_np::neighbor_radius_t>)
+    input.neighbor_radius =
+      positive(function, np, CGAL::internal_np::neighbor_radius, "neighbor_radius", 1);
+  input.iterations = parameter_or(np, CGAL::internal_np::number_of_iterations, 35u);
+  require(input.iterations > 0 && input.iterations <= 100000, function,
+          "number_of_iterations must be in [1, 100000]");
+  input.require_uniform_sampling =
+    parameter_or(np, CGAL::internal_np::require_uniform_sampling, false);
+  return input;
+}
 
 /// A twentieth of the data, at least 4000 points: enough for the shapes of the accuracy study.
 inline std::size_t default_particles(std::size_t n)

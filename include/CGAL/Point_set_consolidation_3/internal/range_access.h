@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RANGE_ACCESS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RANGE_ACCESS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
@@ -116,6 +117,39 @@ Points copy_normals(const char* function, const PointRange& range, const NP& np)
       if(range.has_normal_map())
         return copy_vectors(function, "normal_map", range, range.normal_map());
     return Points();
+  }
+}
+
+/// A number from the named parameters, or its default; must be finite and positive.
+template <typename NP, typename Tag>
+double positive(const char* function, const NP& np, Tag tag, const char* name, double fallback)
+{
+  const double value = CGAL::to_double(parameter_or(np, tag, fallback));
+  if(!(value > 0 && std::isfinite(value)))
+    throw_invalid(function, std::string(name) + " must be positive, is " + std::to_string(value));
+  return value;
+}
+
+/// The same, zero allowed.
+template <typename NP, typename Tag>
+double not_negative(const char* function, const NP& np, Tag tag, const char* name, double fallback)
+{
+  const double value = CGAL::to_double(parameter_or(np, tag, fallback));
+  if(!(value >= 0 && std::isfinite(value)))
+    throw_invalid(function,
+                  std::string(name) + " must not be negative, is " + std::to_string(value));
+  return value;
+}
+
+/// Hands the stages' times to the caller who asked for them.
+template <typename NP>
+void report_stage_times(const NP& np, const Stage_times& times)
+{
+  if constexpr(has_parameter<NP, internal_np::stage_times_t>)
+    CGAL::parameters::get_parameter(np, internal_np::stage_times).get() = times;
+  else {
+    (void)np;
+    (void)times;
   }
 }
 

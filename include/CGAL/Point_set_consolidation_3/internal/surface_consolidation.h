@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -23,21 +24,11 @@ namespace internal {
 /// their distance from the meso-skeleton there from their neighbours' deep points.
 /// Lengths in units of the spacing r of S.
 
-enum class Data_term : unsigned char {
-  full,    ///< the L1 median of the data, as printed: stays on the data, completes slowly
-  normal   ///< only its part along the normal: closes the surface; best for tubes
-};
-
-enum class Prior : unsigned char {
-  volume_preserving,  ///< equation (8): dpoint lengths as their neighbours'
-  minimal_volume      ///< equation (9): dpoint lengths decay away from the data
-};
-
 struct Surface_parameters {
   double smoothing_radius = 5;   ///< sigma_p
   double repulsion = 0.4;        ///< mu hat
-  Data_term data_term = Data_term::full;
-  Prior prior = Prior::volume_preserving;
+  Data_term data_term = Data_term::FULL;
+  Prior prior = Prior::VOLUME_PRESERVING;
   double shrinkage = 0.1;        ///< of the minimal volume prior, per iteration
   std::size_t iterations = 60;
 };
@@ -197,7 +188,7 @@ private:
       return p;
     const double A = eta * attraction;
     Vec3 to_median = attraction > 0 ? Vec3(offsets / attraction) : Vec3(Vec3::Zero());
-    if(m_parameters.data_term == Data_term::normal)
+    if(m_parameters.data_term == Data_term::NORMAL)
       to_median = n.dot(to_median) * n;
 
     // neighbours on the same side: lengths for the prior, repulsion in the tangent plane
@@ -238,7 +229,7 @@ private:
 
     // the gradient of (9) has no fixed point but zero length; used as decay per iteration
     const double target =
-      prior(i) == Prior::minimal_volume ? (1 - m_parameters.shrinkage) * length : length;
+      prior(i) == Prior::MINIMAL_VOLUME ? (1 - m_parameters.shrinkage) * length : length;
     const Vec3& q = m_skeleton[m_result.inner[i]];
     const Vec3 x = (A * (p + to_median) + gamma * (q + target * deep_direction(i))) / (A + gamma);
     Vec3 y = x;

@@ -1,0 +1,79 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEEP_POINT_3_H
+#define CGAL_DEEP_POINT_3_H
+
+#include <boost/property_map/property_map.hpp>
+
+namespace CGAL {
+
+/*!
+  \ingroup PkgPointSetConsolidation3Ref
+
+  A deep point: an outer point on the surface and an inner point on the meso-skeleton
+  \cgalCite{cgal:wshcl-dpc-15}. A range of deep points goes into Poisson reconstruction and into any
+  function of \ref PkgPointSetProcessing3 through the property maps
+  `Deep_point_outer_map` and `Deep_point_normal_map`.
+
+  \tparam Kernel a model of `Kernel`.
+*/
+template <typename Kernel>
+class Deep_point_3 {
+public:
+  typedef typename Kernel::FT FT;
+  typedef typename Kernel::Point_3 Point_3;
+  typedef typename Kernel::Vector_3 Vector_3;
+
+  Deep_point_3() : m_confidence(0) {}
+  Deep_point_3(const Point_3& outer, const Point_3& inner, const Vector_3& normal,
+               const FT& confidence)
+    : m_outer(outer), m_inner(inner), m_normal(normal), m_confidence(confidence)
+  {}
+
+  /// the point on the surface
+  const Point_3& outer() const { return m_outer; }
+  /// its partner on the meso-skeleton
+  const Point_3& inner() const { return m_inner; }
+  /// unit normal of the surface at `outer()`, pointing outwards
+  const Vector_3& normal() const { return m_normal; }
+  /// 1: measured; towards 0: completed far from any datum
+  const FT& confidence() const { return m_confidence; }
+
+private:
+  Point_3 m_outer, m_inner;
+  Vector_3 m_normal;
+  FT m_confidence;
+};
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_PSC3_DEEP_POINT_MAP(NAME, TYPE, MEMBER)                                 \
+  template <typename Kernel>                                                        \
+  struct NAME {                                                                     \
+    typedef Deep_point_3<Kernel> key_type;                                          \
+    typedef typename Kernel::TYPE value_type;                                       \
+    typedef const value_type& reference;                                            \
+    typedef boost::lvalue_property_map_tag category;                                \
+    const value_type& operator[](const key_type& p) const { return p.MEMBER(); }    \
+    friend const value_type& get(const NAME&, const key_type& p) { return p.MEMBER(); } \
+  };
+/// \endcond
+
+/// \ingroup PkgPointSetConsolidation3Ref
+/// Models of `LvaluePropertyMap` (constant) from a deep point to one of its parts.
+/// @{
+CGAL_PSC3_DEEP_POINT_MAP(Deep_point_outer_map, Point_3, outer)
+CGAL_PSC3_DEEP_POINT_MAP(Deep_point_inner_map, Point_3, inner)
+CGAL_PSC3_DEEP_POINT_MAP(Deep_point_normal_map, Vector_3, normal)
+CGAL_PSC3_DEEP_POINT_MAP(Deep_point_confidence_map, FT, confidence)
+/// @}
+
+#undef CGAL_PSC3_DEEP_POINT_MAP
+
+}  // namespace CGAL
+
+#endif  // CGAL_DEEP_POINT_3_H

@@ -1,0 +1,298 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEEP_POINTS_CONSOLIDATION_3_H
+#define CGAL_DEEP_POINTS_CONSOLIDATION_3_H
+
+#include <CGAL/Deep_point_3.h>
+#include <CGAL/Point_set_consolidation_3/internal/confidence.h>
+#include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
+#include <CGAL/Point_set_consolidation_3/internal/meso_skeleton.h>
+#include <CGAL/Point_set_consolidation_3/internal/scan_directions.h>
+#include <CGAL/Point_set_consolidation_3/internal/sinking.h>
+#include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
+#include <CGAL/Point_set_consolidation_3/parameters.h>
+
+#include <CGAL/number_type_config.h>
+
+namespace CGAL {
+
+/*!
+  \ingroup PkgPointSetConsolidation3Ref
+
+  Deep points consolidation \cgalCite{cgal:wshcl-dpc-15} with the paper's stages as members, for
+  users who want to look at, or change, what happens in between. The function
+  `deep_points_consolidate_point_set()` runs all of them.
+
+  Points may be unoriented, noisy, unevenly spread and have large missing parts. The object copies what it
+  needs at construction; the input is neither changed nor reordered. A stage runs the stages before it
+  if that has not happened yet. Results do not depend on `ConcurrencyTag`, bit for bit.
+
+  Lengths are in units of the spacing r of the consolidated points (equation (1)) unless said otherwise, so
+  that results do not depend on the unit or the place of the input.
+
+  \tparam Traits a model of `Kernel`, floating point coordinates.
+  \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
+*/
+template <typename Traits, typename ConcurrencyTag = Sequential_tag>
+class Deep_points_consolidation_3 {
+  /// \cond SKIP_IN_MANUAL
+  typedef Point_set_consolidation_3::internal::Vec3 Vec3;
+  typedef Point_set_consolidation_3::internal::Points Points;
+  typedef Point_set_consolidation_3::internal::Stage Stage;
+  typedef Point_set_consolidation_3::internal::Cancelled Cancelled;
+  /// \endcond
+
+public:
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+  typedef typename Traits::Vector_3 Vector_3;
+  typedef Deep_point_3<Traits> Deep_point;
+
+  /// How an inner point came to rest.
+  typedef Point_set_consolidation_3::internal::Anchoring Anchoring;
+  /// Name, seconds and iterations of a stage.
+  typedef Point_set_consolidation_3::internal::Stage_time Stage_time;
+
+  /*!
+    copies the points and reads the parameters.
+
+    \tparam PointRange a model of `ConstRange` whose iterator is a `ForwardIterator`.
+    \param points at least 10 points, all coordinates finite.
+    \param np the named parameters of `deep_points_consolidate_point_set()`.
+    \throws std::invalid_argument if a parameter or a coordinate is out of its range.
+  */
+  template <typename PointRange,
+            typename NamedParameters = parameters::Default_named_parameters>
+  explicit Deep_points_consolidation_3(const PointRange& points,
+                                       const NamedParameters& np = parameters::default_values())
+    : m_execution(Point_set_consolidation_3::internal::make_execution<ConcurrencyTag>())
+  {
+    read(points, Point_set_consolidation_3::internal::cgal_np(np));
+  }
+
+  /// \name Stages
+  /// Each returns `false` if the callback stopped it; the object is then as before the call.
+  /// @{
+
+  /// Section 3 of the paper: WLOP consolidation and oriented normals.
+  bool consolidate_input()
+  {
+    if(m_stage >= CONSOLIDATED)
+      return true;
+    return run(CONSOLIDATED, [&] {
+      m_input = Point_set_consolidation_3::internal::consolidate_input<ConcurrencyTag>(
+        m_execution, 0.35, m_points, m_hints, m_directions, m_input_parameters);
+    });
+  }
+
+  /// Section 4.1: inner points sink until opposing fronts meet.
+  bool sink_inner_points()
+  {
+    if(m_stage >= SUNK)
+      return true;
+    return consolidate_input() && run(SUNK, [&] {
+      Stage stage(m_execution, "sinking", 0.1);
+      m_sunk = Point_set_consolidation_3::internal::sink(
+        m_execution, stage, m_input.points, m_input.normals, m_sinking_parameters);
+    });
+  }
+
+  /// Section 4.2: the inner points form the meso-skeleton, curves and sheets.
+  bool form_meso_skeleton()
+  {
+    if(m_stage >= SKELETON_FORMED)
+      return true;
+    return sink_inner_points() && run(SKELETON_FORMED, [&] {
+      Stage stage(m_execution, "meso-skeleton", 0.15);
+      m_skeleton = Point_set_consolidation_3::internal::form_meso_skeleton(
+        m_execution, stage, m_sunk.anchors, m_sunk.normals, m_skeleton_parameters);
+    });
+  }
+
+  /// Section 4.3: the outer points spread over the surface, missing parts included.
+  bool consolidate_outer_points()
+  {
+    if(m_stage >= SURFACE_CONSOLIDATED)
+      return true;
+    return form_meso_skeleton() && run(SURFACE_CONSOLIDATED, [&] {
+      using namespace Point_set_consolidation_3::internal;
+      Stage stage(m_execution, "surface", 0.4);
+      Free_space free_space;
+      if(!m_input.directions.empty())
+        free_space = Free_space(m_execution, m_input.data, m_input.directions, 1.);
+      const Nearest_neighbors data(m_input.data);
+      std::vector<char> frozen;
+      std::vector<Point_set_consolidation_3::Prior> priors;
+      for(const Vec3& p : m_input.points) {
+        const std::size_t c = data.nearest(p).index;
+        if(!m_is_constrained.empty())
+          frozen.push_back(m_is_constrained[c]);
+        if(!m_priors.empty())
+          priors.push_back(m_priors[c]);
+      }
+      m_surface = Surface_consolidation(m_execution, m_input.data, m_input.points, m_sunk.normals,
+                                        m_skeleton.points, m_surface_parameters, free_space,
+                                        frozen, priors)
+                    .run(stage);
+      m_confidence.resize(m_surface.points.size());
+      parallel_for(m_execution, m_confidence.size(), [&](std::size_t i) {
+        m_confidence[i] =
+          confidence(std::sqrt(data.nearest(m_surface.points[i]).squared_distance));
+      });
+    });
+  }
+
+  /// @}
+  /// \name Results
+  /// Empty before their stage has run.
+  /// @{
+
+  /// writes the deep points, one for each consolidated point, as `Deep_point_3<Traits>`.
+  template <typename OutputIterator>
+  OutputIterator deep_points(OutputIterator output) const
+  {
+    for(std::size_t i = 0; i < m_surface.points.size(); ++i)
+      *output++ = Deep_point(world(m_surface.points[i]),
+                             world(m_skeleton.points[m_surface.inner[i]]),
+                             vector(m_surface.normals[i]), FT(m_confidence[i]));
+    return output;
+  }
+
+  /// number of deep points
+  std::size_t size() const { return m_input.points.size(); }
+  /// spacing r of the consolidated points, equation (1), in the input's unit
+  double spacing() const { return m_input.frame.unit; }
+
+  /// consolidated point i of S
+  Point_3 consolidated_point(std::size_t i) const { return world(m_input.points[i]); }
+  /// its oriented normal; bilaterally smoothed once the inner points have sunk
+  Vector_3 consolidated_normal(std::size_t i) const
+  {
+    return vector(m_stage >= SUNK ? m_sunk.normals[i] : m_input.normals[i]);
+  }
+  /// anchor point i of H
+  Point_3 anchor_point(std::size_t i) const { return world(m_sunk.anchors[i]); }
+  /// how it came to rest
+  Anchoring anchoring(std::size_t i) const { return m_sunk.anchoring[i]; }
+  /// skeletal point i of Q
+  Point_3 skeletal_point(std::size_t i) const { return world(m_skeleton.points[i]); }
+  /// axis m (0, 1, 2) of its anisotropic neighbourhood, as long as the semi-axis, in the input's unit
+  Vector_3 ellipsoid_axis(std::size_t i, int m) const
+  {
+    const auto& e = m_skeleton.ellipsoids[i];
+    return vector(m_input.frame.unit * e.semi_axes[m] * e.axes.col(m));
+  }
+  /// index of the skeletal point that is the partner of outer point i
+  std::size_t partner(std::size_t i) const { return m_surface.inner[i]; }
+  /// density eta of the data at outer point i, equation (6); below 1.5: completed
+  double data_density(std::size_t i) const { return m_surface.data_density[i]; }
+  /// iterations that sinking took
+  std::size_t number_of_sinking_iterations() const { return m_sunk.iterations; }
+  /// seconds and iterations of the stages so far
+  const std::vector<Stage_time>& stage_times() const { return m_execution.times; }
+
+  /// @}
+
+private:
+  /// \cond SKIP_IN_MANUAL
+  enum State { EMPTY, CONSOLIDATED, SUNK, SKELETON_FORMED, SURFACE_CONSOLIDATED };
+
+  template <typename Work>
+  bool run(State state, const Work& work)
+  {
+    try {
+      work();
+      if(state == SURFACE_CONSOLIDATED)
+        m_execution.progress.finish();
+    }
+    catch(const Cancelled&) {
+      return false;
+    }
+    m_stage = state;
+    return true;
+  }
+
+  template <typename PointRange, typename NP>
+  void read(const PointRange& points, const NP& np)
+  {
+    using namespace Point_set_consolidation_3;
+    using namespace Point_set_consolidation_3::internal;
+    const char* const function = "deep_points_consolidate_point_set";
+    m_execution.progress = Progress(callback_of(np));
+
+    constexpr std::size_t least_points = 10;
+    m_points = copy_points(function, points, np, least_points);
+    m_hints = copy_normals(function, points, np);
+    m_directions = copy_scan_directions(function, points, m_points, np);
+    if constexpr(has_parameter<NP, CGAL::internal_np::point_is_constrained_t>) {
+      const auto map =
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::point_is_constrained);
+      for(auto it = points.begin(); it != points.end(); ++it)
+        m_is_constrained.push_back(char(bool(get(map, *it))));
+    }
+    if constexpr(has_parameter<NP, Point_set_consolidation_3::internal_np::prior_map_t>) {
+      const auto map =
+        CGAL::parameters::get_parameter(np, Point_set_consolidation_3::internal_np::prior_map);
+      for(auto it = points.begin(); it != points.end(); ++it)
+        m_priors.push_back(get(map, *it));
+    }
+    m_input_parameters = read_input_parameters(function, np, m_points.size());
+
+    namespace names = Point_set_consolidation_3::internal_np;
+    Sinking_parameters& sinking = m_sinking_parameters;
+    sinking.smoothing_radius = positive(function, np, names::smoothing_radius, "smoothing_radius", 5);
+    sinking.collision_radius = positive(function, np, names::collision_radius, "collision_radius", 2);
+    const double omega = positive(function, np, names::collision_angle, "collision_angle", 45);
+    require(omega <= 170, function, "collision_angle must be at most 170 degrees");
+    sinking.collision_angle = omega * CGAL_PI / 180;
+    sinking.closing_step = parameter_or(np, names::closing_step, true);
+
+    Meso_skeleton_parameters& skeleton = m_skeleton_parameters;
+    skeleton.collision_radius = sinking.collision_radius;
+    skeleton.repulsion = not_negative(function, np, names::skeleton_repulsion, "skeleton_repulsion", 0.4);
+    skeleton.epsilon = positive(function, np, names::axis_epsilon, "axis_epsilon", 0.1);
+    require(skeleton.epsilon >= 0.01, function, "axis_epsilon must be at least 0.01");
+    skeleton.iterations = parameter_or(np, names::number_of_skeleton_iterations, std::size_t(10));
+
+    Surface_parameters& surface = m_surface_parameters;
+    surface.smoothing_radius = sinking.smoothing_radius;
+    surface.repulsion = not_negative(function, np, names::surface_repulsion, "surface_repulsion", 0.4);
+    surface.data_term = parameter_or(np, names::data_term, Data_term::FULL);
+    surface.prior = parameter_or(np, names::prior, Prior::VOLUME_PRESERVING);
+    surface.iterations = parameter_or(np, names::number_of_surface_iterations, std::size_t(60));
+  }
+
+  Point_3 world(const Vec3& local) const
+  {
+    const Vec3 w = m_input.frame.to_world(local);
+    return Point_3(FT(w.x()), FT(w.y()), FT(w.z()));
+  }
+  static Vector_3 vector(const Vec3& v) { return Vector_3(FT(v.x()), FT(v.y()), FT(v.z())); }
+
+  Point_set_consolidation_3::internal::Execution m_execution;
+  State m_stage = EMPTY;
+  Points m_points, m_hints;
+  Point_set_consolidation_3::internal::Scan_directions m_directions;
+  std::vector<char> m_is_constrained;
+  std::vector<Point_set_consolidation_3::Prior> m_priors;
+  Point_set_consolidation_3::internal::Input_parameters m_input_parameters;
+  Point_set_consolidation_3::internal::Sinking_parameters m_sinking_parameters;
+  Point_set_consolidation_3::internal::Meso_skeleton_parameters m_skeleton_parameters;
+  Point_set_consolidation_3::internal::Surface_parameters m_surface_parameters;
+  Point_set_consolidation_3::internal::Consolidated_input m_input;
+  Point_set_consolidation_3::internal::Sunk_points m_sunk;
+  Point_set_consolidation_3::internal::Meso_skeleton m_skeleton;
+  Point_set_consolidation_3::internal::Consolidated_surface m_surface;
+  std::vector<double> m_confidence;
+  /// \endcond
+};
+
+}  // namespace CGAL
+
+#endif  // CGAL_DEEP_POINTS_CONSOLIDATION_3_H
