@@ -8,11 +8,12 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INPUT_STAGE_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INPUT_STAGE_H
 
+#include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
-#include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/jet_estimate_normals.h>
@@ -32,16 +33,6 @@ namespace internal {
 
 /// Deep points paper, section 3: the raw points C become a denoised, oriented, evenly spread set S, by CGAL's
 /// WLOP and jet fitting, in the frame whose unit is the spacing r of S, equation (1).
-
-/// What a method starts from. All lengths are in units of `frame.unit`.
-struct Consolidated_input {
-  Frame frame;
-  Points data;                 ///< C, in the caller's order
-  Points hints;                ///< rough normals of C; empty: none
-  Scan_directions directions;  ///< empty: none
-  Points points;               ///< S
-  Points normals;
-};
 
 typedef CGAL::Simple_cartesian<double> Core_kernel;
 
@@ -115,46 +106,6 @@ Points jet_normals(const Points& points, unsigned int neighbors)
       normals[i] = normalized_or(v, Vec3::UnitZ());
   }
   return normals;
-}
-
-/// Orients normals like the mean hint of the nearest data. Hints may be rough normals or directions
-/// towards the scanner.
-inline void orient_by_hints(const Execution& execution, const Points& points, Points& normals,
-                            const Points& data, const Points& hints)
-{
-  constexpr std::size_t voters = 12;
-  const Nearest_neighbors tree(data);
-  parallel_for(execution, points.size(), [&](std::size_t i) {
-    std::vector<Neighbor> neighbors;
-    tree.find(points[i], voters, neighbors);
-    double vote = 0;
-    for(const Neighbor& neighbor : neighbors)
-      vote += normals[i].dot(hints[neighbor.index]);
-    if(vote < 0)
-      normals[i] = -normals[i];
-  });
-}
-
-/// Flips a component's normals if the outermost points of most directions look inwards.
-inline void orient_component_outwards(const Points& points, Points& normals,
-                                      const std::vector<std::size_t>& component)
-{
-  double vote = 0;
-  for(int x = -1; x <= 1; ++x)
-    for(int y = -1; y <= 1; ++y)
-      for(int z = -1; z <= 1; ++z) {
-        if(x == 0 && y == 0 && z == 0)
-          continue;
-        const Vec3 direction = Vec3(x, y, z).normalized();
-        std::size_t outermost = component.front();
-        for(const std::size_t i : component)
-          if(points[i].dot(direction) > points[outermost].dot(direction))
-            outermost = i;
-        vote += normals[outermost].dot(direction);
-      }
-  if(vote < 0)
-    for(const std::size_t i : component)
-      normals[i] = -normals[i];
 }
 
 /// Orients normals by CGAL's minimum spanning tree, component by component.

@@ -1,0 +1,203 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ORIENTATION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ORIENTATION_H
+
+#include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+
+#include <queue>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Orients normals like the mean hint of the nearest data. Hints may be rough normals or directions
+/// towards the scanner.
+inline void orient_by_hints(const Execution& execution, const Points& points, Points& normals,
+                            const Points& data, const Points& hints)
+{
+  constexpr std::size_t voters = 12;
+  const Nearest_neighbors tree(data);
+  parallel_for(execution, points.size(), [&](std::size_t i) {
+    std::vector<Neighbor> neighbors;
+    tree.find(points[i], voters, neighbors);
+    double vote = 0;
+    for(const Neighbor& neighbor : neighbors)
+      vote += normals[i].dot(hints[neighbor.index]);
+    if(vote < 0)
+      normals[i] = -normals[i];
+  });
+}
+
+/// Flips a component's normals if the outermost points of most directions look inwards.
+inline void orient_component_outwards(const Points& points, Points& normals,
+                                      const std::vector<std::size_t>& component)
+{
+  double vote = 0;
+  for(int x = -1; x <= 1; ++x)
+    for(int y = -1; y <= 1; ++y)
+      for(int z = -1; z <= 1; ++z) {
+        if(x == 0 && y == 0 && z == 0)
+          continue;
+        const Vec3 direction = Vec3(x, y, z).normalized();
+        std::size_t outermost = component.front();
+        for(const std::size_t i : component)
+          if(points[i].dot(direction) > points[outermost].dot(direction))
+            outermost = i;
+        vote += normals[outermost].dot(direction);
+      }
+  if(vote < 0)
+    for(const std::size_t i : component)
+      normals[i] = -normals[i];
+}
+
+/// The k nearest other points of every point, as rows of one table; short rows are padded with the point
+/// itself.
+struct Nearest_table {
+  std::size_t k = 0;
+  std::vector<Index> neighbors;
+
+  const Index* row(std::size_t i) const { return neighbors.data() + i * k; }
+  std::size_t size() const { return k == 0 ? 0 : neighbors.size() / k; }
+};
+
+inline Nearest_table nearest_table(const Execution& execution, const Points& points,
+                                   std::size_t k)
+{
+  Nearest_table table;
+  table.k = (std::min)(k, points.empty() ? 0 : points.size() - 1);
+  table.neighbors.resize(points.size() * table.k);
+  const Nearest_neighbors tree(points);
+  parallel_for(execution, points.size(), [&](std::size_t i) {
+    std::vector<Neighbor> found;
+    tree.find(points[i], table.k + 1, found);
+    std::size_t slot = i * table.k;
+    const std::size_t end = slot + table.k;
+    for(const Neighbor& neighbor : found)
+      if(neighbor.index != i && slot < end)
+        table.neighbors[slot++] = neighbor.index;
+    while(slot < end)
+      table.neighbors[slot++] = Index(i);
+  });
+  return table;
+}
+
+/// Orients normals by propagation along the edges of a nearest neighbour graph, cheapest first. The cost
+/// of an edge in direction d is 1 - |n . n'| + (|d . n| + |d . n'|) / 2: it is small along a smooth sheet and
+/// large across to an opposite one, whose normals may be parallel too. Each component is oriented
+/// outwards.
+inline void orient_by_propagation(const Points& points, Points& normals,
+                                  const Nearest_table& nearest)
+{
+  struct Edge {
+    double cost;
+    Index from, to;
+    bool operator<(const Edge& other) const  // the queue's top is the cheapest
+    {
+      return cost != other.cost ? cost > other.cost
+                                : to != other.to ? to > other.to : from > other.from;
+    }
+  };
+  const std::size_t n = points.size();
+
+  // the graph is made symmetric, else far points are never reached
+  std::vector<std::size_t> first(n + 1, 0);
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t k = 0; k < nearest.k; ++k) {
+      ++first[i + 1];
+      ++first[nearest.row(i)[k] + 1];
+    }
+  for(std::size_t i = 0; i < n; ++i)
+    first[i + 1] += first[i];
+  std::vector<Index> adjacent(first[n]);
+  std::vector<std::size_t> slot(first.begin(), first.end() - 1);
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t k = 0; k < nearest.k; ++k) {
+      const Index j = nearest.row(i)[k];
+      adjacent[slot[i]++] = j;
+      adjacent[slot[j]++] = Index(i);
+    }
+
+  std::vector<char> done(n, 0);
+  std::priority_queue<Edge> queue;
+  const auto push_edges = [&](std::size_t i) {
+    for(std::size_t s = first[i]; s < first[i + 1]; ++s) {
+      const Index j = adjacent[s];
+      if(done[j])
+        continue;
+      const Vec3 d = normalized_or(points[j] - points[i], Vec3::Zero());
+      const double cost = 1 - std::abs(normals[i].dot(normals[j])) +
+                          0.5 * (std::abs(d.dot(normals[i])) + std::abs(d.dot(normals[j])));
+      queue.push({cost, Index(i), j});
+    }
+  };
+  for(std::size_t seed = 0; seed < n; ++seed) {
+    if(done[seed])
+      continue;
+    std::vector<std::size_t> component(1, seed);
+    done[seed] = 1;
+    push_edges(seed);
+    while(!queue.empty()) {
+      const Edge edge = queue.top();
+      queue.pop();
+      if(done[edge.to])
+        continue;
+      done[edge.to] = 1;
+      component.push_back(edge.to);
+      if(normals[edge.from].dot(normals[edge.to]) < 0)
+        normals[edge.to] = -normals[edge.to];
+      push_edges(edge.to);
+    }
+    orient_component_outwards(points, normals, component);
+  }
+}
+
+/// Neighbours on one sheet whose normals point to different sides. Edges across thin parts, far off both
+/// tangent planes, are not counted.
+inline std::size_t inconsistent_neighbors(const Points& points, const Points& normals,
+                                          const Nearest_table& nearest)
+{
+  constexpr double within_sheet = 0.3;  // sine of the angle to the tangent plane
+  std::size_t count = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(std::size_t k = 0; k < nearest.k; ++k) {
+      const Index j = nearest.row(i)[k];
+      const Vec3 d = normalized_or(points[j] - points[i], Vec3::Zero());
+      count += normals[i].dot(normals[j]) < 0 && std::abs(d.dot(normals[i])) < within_sheet &&
+               std::abs(d.dot(normals[j])) < within_sheet;
+    }
+  return count;
+}
+
+/// Flips normals that most of their neighbours contradict; isolated wrong signs disappear.
+inline void orient_by_vote(const Execution& execution, const Points& points, Points& normals,
+                           const Nearest_table& nearest, std::size_t passes)
+{
+  for(std::size_t pass = 0; pass < passes; ++pass) {
+    Points next = normals;
+    parallel_for(execution, points.size(), [&](std::size_t i) {
+      double vote = 0;
+      for(std::size_t k = 0; k < nearest.k; ++k) {
+        const Index j = nearest.row(i)[k];
+        const Vec3 d = normalized_or(points[j] - points[i], Vec3::Zero());
+        const double off_sheet = std::abs(d.dot(normals[i])) + std::abs(d.dot(normals[j]));
+        vote += (std::max)(0., 1 - off_sheet) * normals[i].dot(normals[j]);
+      }
+      if(vote < 0)
+        next[i] = -normals[i];
+    });
+    normals.swap(next);
+  }
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ORIENTATION_H
