@@ -22,7 +22,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 The vertex property of `Curve_skeleton_3`.
 
@@ -41,7 +41,7 @@ struct Curve_skeleton_vertex_3
 };
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 A curve skeleton: a graph embedded in space, whose vertices know the radius of the shape around them and
 the input points they stand for. It is a Boost graph of the same shape as the skeleton of
@@ -104,7 +104,7 @@ void assign(Curve_skeleton_3<Kernel>& skeleton, const Skeleton_graph& graph)
 /// \endcond
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 returns the number of connected components of a skeleton.
 */
@@ -116,7 +116,7 @@ std::size_t number_of_skeleton_components(const Curve_skeleton_3<Kernel>& skelet
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 returns the number of independent cycles of a skeleton, which is the genus of the shape it describes.
 */
@@ -130,7 +130,7 @@ std::size_t number_of_skeleton_cycles(const Curve_skeleton_3<Kernel>& skeleton)
 namespace IO {
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 writes a skeleton to a stream, as an ASCII PLY file with vertices `x y z radius` and
 `element edge` with `vertex1 vertex2`. The points that the vertices stand for are not written.
@@ -146,7 +146,7 @@ bool write_curve_skeleton_PLY(std::ostream& out, const Curve_skeleton_3<Kernel>&
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 writes a skeleton to a file, as a PLY file with edges, or, if the name ends with `.polylines.txt` or `.cgal`, in
 CGAL's text format for polylines: a line for each polyline, with the number of its points and their coordinates.
@@ -171,7 +171,7 @@ bool write_curve_skeleton(const std::string& name, const Curve_skeleton_3<Kernel
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 reads a skeleton from a PLY stream, ASCII or binary, with `element vertex` (`x y z`, and `radius` if there is
 one) and `element edge` (`vertex1 vertex2`). Other elements and properties are passed over.
@@ -196,7 +196,7 @@ bool read_curve_skeleton_PLY(std::istream& in, Curve_skeleton_3<Kernel>& skeleto
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Skeletons
+\ingroup PkgPointSetConsolidation3Ref
 
 reads a skeleton from a PLY file, see `read_curve_skeleton_PLY()`.
 */

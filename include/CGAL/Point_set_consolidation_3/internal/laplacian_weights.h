@@ -13,7 +13,7 @@
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 
-/// \ingroup PkgPointSetConsolidation3Skeletons
+/// \ingroup PkgPointSetConsolidation3Ref
 /// Weights of the point cloud Laplacian in the contraction of a shape to its curve skeleton.
 enum class Laplacian_weights {
   COTANGENT,     ///< cotangents of the opposite angles: contracts along the mean curvature normal

@@ -1,0 +1,153 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONTRACTION_SAMPLES_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONTRACTION_SAMPLES_H
+
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+
+#include <array>
+#include <random>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// The points that are contracted: distinct, evenly spread, not too many. Every input point knows the sample
+/// it goes with.
+struct Contraction_samples {
+  Points points;
+  std::vector<std::size_t> sample_of;  ///< parallel to the input
+};
+
+/// Index of the first of all points that are equal to point i, for every i.
+inline std::vector<std::size_t> first_of_equals(const Points& points)
+{
+  std::vector<std::size_t> order(points.size()), first(points.size());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    for(int axis = 0; axis < 3; ++axis)
+      if(points[a][axis] != points[b][axis])
+        return points[a][axis] < points[b][axis];
+    return a < b;
+  });
+  for(std::size_t k = 0; k < order.size(); ++k)
+    first[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]] : order[k];
+  return first;
+}
+
+/// Indices of points of which no two are closer than `distance`, and to which all others are closer.
+inline std::vector<std::size_t> distant_points(const Points& points, double distance)
+{
+  const Sorted_grid grid(points, distance);
+  std::vector<char> is_covered(points.size(), 0);
+  std::vector<std::size_t> chosen;
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    if(is_covered[i])
+      continue;
+    chosen.push_back(i);
+    grid.for_each_neighbor(points[i], distance, [&](Index j, double) { return is_covered[j] = 1; });
+  }
+  return chosen;
+}
+
+/// At most `count` evenly spread points, and nearly as many.
+inline std::vector<std::size_t> spread_points(const Points& points, std::size_t count)
+{
+  constexpr int most_steps = 12;
+  constexpr double enough = 0.95;
+  std::vector<std::size_t> best;
+  // a surface as large as the box's largest side, covered by discs
+  const double side = bounding_box(points).sides().maxCoeff();
+  double distance = side / std::sqrt(double(count));
+  double too_small = 0, too_large = side;
+  for(int step = 0; step < most_steps; ++step) {
+    std::vector<std::size_t> chosen = distant_points(points, distance);
+    const double ratio = std::sqrt(double(chosen.size()) / double(count));
+    (chosen.size() > count ? too_small : too_large) = distance;
+    if(chosen.size() <= count && chosen.size() > best.size())
+      best.swap(chosen);
+    if(double(best.size()) >= enough * double(count))
+      break;
+    // the number of points goes with 1 / distance^2; slightly more, to end up below `count`
+    distance *= 1.01 * ratio;
+    if(!(distance > too_small && distance < too_large))
+      distance = 0.5 * (too_small + too_large);
+  }
+  return best;
+}
+
+/// Distinct points of the input; if there are more than `most`, evenly spread ones.
+inline Contraction_samples contraction_samples(const Execution& execution, const Points& points,
+                                               std::size_t most)
+{
+  Contraction_samples samples;
+  samples.sample_of = first_of_equals(points);
+  std::vector<std::size_t> place(points.size(), 0);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(samples.sample_of[i] == i) {
+      place[i] = samples.points.size();
+      samples.points.push_back(points[i]);
+    }
+  for(std::size_t& s : samples.sample_of)
+    s = place[s];
+  if(samples.points.size() <= most)
+    return samples;
+  Points chosen;
+  for(const std::size_t s : spread_points(samples.points, most))
+    chosen.push_back(samples.points[s]);
+  samples.points.swap(chosen);
+  const Nearest_neighbors tree(samples.points);
+  parallel_for(execution, points.size(),
+               [&](std::size_t i) { samples.sample_of[i] = tree.nearest(points[i]).index; });
+  return samples;
+}
+
+/// Points spread evenly over the triangles of a soup: random points, many more than wanted, of which
+/// distant ones are kept.
+inline Points soup_samples(const Points& vertices,
+                           const std::vector<std::array<std::size_t, 3> >& triangles,
+                           std::size_t count, std::uint64_t seed)
+{
+  constexpr std::size_t surplus = 6;
+  std::vector<double> area_up_to;
+  double area = 0;
+  for(const std::array<std::size_t, 3>& t : triangles) {
+    area += (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]).norm();
+    area_up_to.push_back(area);
+  }
+  Points candidates;
+  if(!(area > 0))
+    return candidates;
+  std::mt19937_64 generator(seed);
+  const auto uniform = [&] { return double(generator() >> 11) / 9007199254740992.; };  // 2^53
+  for(std::size_t i = 0; i < surplus * count; ++i) {
+    const double where = uniform() * area;
+    const std::size_t k = std::size_t(
+      std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, where) - area_up_to.begin());
+    double u = uniform(), v = uniform();
+    if(u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const std::array<std::size_t, 3>& t = triangles[k];
+    candidates.push_back(vertices[t[0]] + u * (vertices[t[1]] - vertices[t[0]]) +
+                         v * (vertices[t[2]] - vertices[t[0]]));
+  }
+  Points samples;
+  for(const std::size_t i : spread_points(candidates, count))
+    samples.push_back(candidates[i]);
+  return samples;
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONTRACTION_SAMPLES_H
