@@ -1,0 +1,433 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_COMPLETION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_COMPLETION_H
+
+#include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/free_space.h>
+#include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
+#include <CGAL/Point_set_consolidation_3/internal/scalar_grid.h>
+#include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
+#include <CGAL/Point_set_consolidation_3/internal/sinking.h>
+#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Completion of a scan by balls at the sunk deep points: each ball is tangent to the surface at a
+/// consolidated point and no larger than the data and the known free space allow; the union of
+/// the balls, smoothed, is sampled where data are missing.
+/// Lengths in units of the spacing r of S; sp is the spacing of the data.
+
+struct Completion_parameters {
+  double grid_step = 0.7;
+  double smoothing = 0.75;            ///< of the union; 2 collapses tubes, 0.5 leaves scallops
+  double least_gap = 6;               ///< in sp: Poisson bridges smaller gaps better
+  double box_margin = 4;
+  double one_view_depth = 0.6;        ///< of the longest side: how far behind the data there may be more
+};
+
+struct Completed_points {
+  Points points, normals, inner;
+  std::vector<double> distance;       ///< to the nearest datum, in r
+  std::vector<char> is_clipped;       ///< the ball's radius is bounded by data or free space
+  std::vector<char> is_unanchored;    ///< nothing opposes: the depth is a guess
+};
+
+/// A ball inside of the shape, tangent to it at a consolidated point.
+struct Balls {
+  Points centres;
+  std::vector<double> radius;
+  std::vector<char> is_clipped;
+};
+
+/// Step 4: the radius of a ball is the deep point's length, bounded by the largest ball tangent at s_i that
+/// holds at most two obstacles: data of another part of the surface, or known free space.
+class Ball_clip {
+  static constexpr std::size_t tolerated = 2;     ///< obstacles: the third smallest tangent ball counts
+  static constexpr double own_sheet = 3;          ///< data closer than this belong to the ball's own sheet
+  static constexpr double grazing = 0.2;          ///< cosine: obstacles beside the point say nothing
+  static constexpr double first_radius = 2;
+  static constexpr double median_radius = 2;
+  static constexpr double median_cosine = 0.7;
+
+public:
+  Ball_clip(const Execution& execution, const Points& points, const Points& normals,
+            const Points& obstacles)
+    : m_execution(execution), m_points(points), m_normals(normals)
+    , m_point_grid(points, own_sheet), m_obstacle_grid(obstacles, own_sheet), m_obstacles(obstacles)
+  {}
+
+  Balls clip(const Points& anchors, double largest) const
+  {
+    const std::size_t n = m_points.size();
+    std::vector<double> length(n), smoothed(n);
+    Balls balls;
+    balls.centres.resize(n);
+    balls.is_clipped.resize(n);
+    parallel_for(m_execution, n, [&](std::size_t i) {
+      const double sunk = (std::min)((anchors[i] - m_points[i]).norm(), largest);
+      length[i] = clipped(i, sunk);
+      balls.is_clipped[i] = char(length[i] < sunk);
+    });
+    parallel_for(m_execution, n, [&](std::size_t i) {
+      std::vector<double> around;
+      m_point_grid.for_each_neighbor(m_points[i], median_radius, [&](Index j, double) {
+        if(m_normals[j].dot(m_normals[i]) > median_cosine)
+          around.push_back(length[j]);
+        return true;
+      });
+      smoothed[i] = median(std::move(around));
+      balls.centres[i] = m_points[i] - smoothed[i] * m_normals[i];
+    });
+    balls.radius = std::move(smoothed);
+    return balls;
+  }
+
+private:
+  /// Tangent balls at one point are nested, so the balls are searched from small to large.
+  double clipped(std::size_t i, double length) const
+  {
+    const Vec3 &s = m_points[i], &n = m_normals[i];
+    std::vector<double> tangent;
+    for(double radius = first_radius;; radius *= 2) {
+      radius = (std::min)(radius, length);
+      tangent.clear();
+      const Vec3 centre = s - radius * n;
+      m_point_grid.for_each_neighbor(centre, radius, [&](Index j, double) {
+        const Vec3 d = s - m_points[j];
+        if(d.squaredNorm() >= own_sheet * own_sheet)
+          add_tangent(d, n, radius, tangent);
+        return true;
+      });
+      m_obstacle_grid.for_each_neighbor(centre, radius, [&](Index j, double) {
+        add_tangent(s - m_obstacles[j], n, radius, tangent);
+        return true;
+      });
+      if(tangent.size() > tolerated) {
+        std::nth_element(tangent.begin(), tangent.begin() + tolerated, tangent.end());
+        return tangent[tolerated];
+      }
+      if(radius >= length)
+        return length;
+    }
+  }
+
+  static void add_tangent(const Vec3& d, const Vec3& n, double largest,
+                          std::vector<double>& tangent)
+  {
+    const double squared = d.squaredNorm(), height = n.dot(d);
+    if(height > grazing * std::sqrt(squared))
+      tangent.push_back((std::min)(largest, squared / (2 * height)));
+  }
+
+  const Execution& m_execution;
+  const Points& m_points;
+  const Points& m_normals;
+  Sorted_grid m_point_grid, m_obstacle_grid;
+  const Points& m_obstacles;
+};
+
+class Completion {
+  static constexpr double band = 2.5;             ///< distances are clamped to this
+  static constexpr double largest_ball = 0.3;     ///< of the diagonal
+  static constexpr double obstacle_distance = 2.5;  ///< in sp: nearer free space is the data's own
+  static constexpr double most_nodes = 6e7;       ///< coarser grids beyond: 4 bytes a node
+
+public:
+  Completion(Execution& execution, const Consolidated_input& input, const Seen_part& seen,
+             const Sunk_points& sunk, const Free_space& free_space,
+             const Completion_parameters& parameters)
+    : m_execution(execution), m_parameters(parameters), m_input(input), m_seen(seen), m_sunk(sunk)
+    , m_free_space(free_space), m_data_tree(seen.points)
+  {}
+
+  Completed_points run(Stage& stage)
+  {
+    const Bounding_box box = working_box();
+    double step = m_parameters.grid_step;
+    step *= (std::max)(1., std::cbrt(Scalar_grid::nodes_of(box, step) / most_nodes));
+    m_phi = free_space_grid(box, step);
+    stage.update(0.2);
+    const Points obstacles = free_space_border();
+    stage.update(0.3);
+    m_balls = Ball_clip(m_execution, m_input.points, m_sunk.normals, obstacles)
+                .clip(m_sunk.anchors, largest_ball * bounding_box(m_input.points).diagonal());
+    stage.update(0.5);
+    Scalar_grid solid = union_of_balls(box, step);
+    solid.smooth(m_execution, m_parameters.smoothing);
+    stage.update(0.8);
+    Completed_points completed = sample(solid);
+    stage.update(0.9);
+    correct_border(solid, completed);
+    describe(completed);
+    return completed;
+  }
+
+private:
+  double data_distance(const Vec3& x) const
+  {
+    return std::sqrt(m_data_tree.nearest(x).squared_distance);
+  }
+
+  /// Step 3. With one view nothing bounds the object from behind.
+  Bounding_box working_box() const
+  {
+    Bounding_box box = bounding_box(m_input.points);
+    const Vec3 margin = Vec3::Constant(m_parameters.box_margin);
+    const double longest = box.sides().maxCoeff();
+    if(m_free_space.number_of_views() == 1) {
+      const Vec3 away = -m_parameters.one_view_depth * longest * m_free_space.projection(0).axis();
+      box.lower += away.cwiseMin(0.);
+      box.upper += away.cwiseMax(0.);
+    }
+    box.lower -= margin;
+    box.upper += margin;
+    return box;
+  }
+
+  template <typename Value>
+  void fill(Scalar_grid& grid, const Value& value) const
+  {
+    const std::size_t rows = std::size_t(grid.size(1)) * std::size_t(grid.size(2));
+    parallel_for(m_execution, rows, [&](std::size_t r) {
+      const int y = int(r % std::size_t(grid.size(1))), z = int(r / std::size_t(grid.size(1)));
+      float* const row = grid.row(y, z);
+      for(int x = 0; x < grid.size(0); ++x)
+        row[x] = float(value(grid.node(x, y, z)));
+    });
+  }
+
+  Scalar_grid free_space_grid(const Bounding_box& box, double step) const
+  {
+    Scalar_grid phi;
+    if(m_free_space.empty())
+      return phi;
+    phi = Scalar_grid(box, step, 0.f);
+    fill(phi, [&](const Vec3& x) {
+      return (std::min)(band, (std::max)(-band, m_free_space(x)));
+    });
+    return phi;
+  }
+
+  static Vec3 crossing(const Scalar_grid& grid, std::size_t i, std::size_t j)
+  {
+    const double a = grid[i], b = grid[j];
+    return grid.node(i) + a / (a - b) * (grid.node(j) - grid.node(i));
+  }
+
+  /// Where known free space begins, away from the data.
+  Points free_space_border() const
+  {
+    Points border;
+    if(m_free_space.empty())
+      return border;
+    m_phi.for_each_edge([&](std::size_t i, std::size_t j, int) {
+      if((m_phi[i] > 0) != (m_phi[j] > 0))
+        border.push_back(crossing(m_phi, i, j));
+    });
+    std::vector<char> is_far(border.size());
+    const double near = obstacle_distance * m_seen.spacing;
+    parallel_for(m_execution, border.size(),
+                 [&](std::size_t i) { is_far[i] = char(data_distance(border[i]) > near); });
+    Points far;
+    for(std::size_t i = 0; i < border.size(); ++i)
+      if(is_far[i])
+        far.push_back(border[i]);
+    return selected(far, thinned(far, 1.));
+  }
+
+  /// Step 5, before smoothing: max(min_i(|x - b_i| - l_i), Phi(x)), clamped.
+  Scalar_grid union_of_balls(const Bounding_box& box, double step) const
+  {
+    Scalar_grid solid(box, step, float(band));
+    parallel_for(m_execution, std::size_t(solid.size(2)), [&](std::size_t plane) {
+      const int z = int(plane);
+      for(std::size_t i = 0; i < m_balls.centres.size(); ++i)
+        add_ball(solid, z, (m_balls.centres[i] - solid.origin()) / step, m_balls.radius[i]);
+      if(!m_free_space.empty())
+        for(int y = 0; y < solid.size(1); ++y) {
+          Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z), solid.size(0));
+          row = row.max(Eigen::Map<const Eigen::ArrayXf>(m_phi.row(y, z), solid.size(0)));
+        }
+    });
+    return solid;
+  }
+
+  /// One plane of a ball; `centre` in grid units.
+  static void add_ball(Scalar_grid& solid, int z, const Vec3& centre, double radius)
+  {
+    const double step = solid.step();
+    const double reach = (radius + band) / step;
+    const double dz = z - centre.z();
+    const double left = reach * reach - dz * dz;
+    if(left <= 0)
+      return;
+    const double half_y = std::sqrt(left);
+    const int y0 = (std::max)(0, int(std::ceil(centre.y() - half_y)));
+    const int y1 = (std::min)(solid.size(1) - 1, int(std::floor(centre.y() + half_y)));
+    for(int y = y0; y <= y1; ++y) {
+      const double dy = y - centre.y();
+      const double half_x = std::sqrt((std::max)(0., left - dy * dy));
+      const int x0 = (std::max)(0, int(std::ceil(centre.x() - half_x)));
+      const int x1 = (std::min)(solid.size(0) - 1, int(std::floor(centre.x() + half_x)));
+      if(x1 < x0)
+        continue;
+      Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z) + x0, x1 - x0 + 1);
+      const auto dx = Eigen::ArrayXf::LinSpaced(x1 - x0 + 1, float(x0 - centre.x()),
+                                                float(x1 - centre.x()));
+      row = row.min(((dx.square() + float(dy * dy + dz * dz)).sqrt() * float(step) - float(radius))
+                      .max(-float(band)));
+    }
+  }
+
+  /// Nodes outside of the solid that a corner of the grid can reach: inner voids are no surface.
+  static std::vector<char> outside(const Scalar_grid& solid)
+  {
+    std::vector<char> is_outside(solid.number_of_nodes(), 0);
+    std::vector<std::size_t> front(1, 0);
+    is_outside[0] = 1;
+    while(!front.empty()) {
+      const std::size_t i = front.back();
+      front.pop_back();
+      for(int axis = 0; axis < 3; ++axis) {
+        const std::size_t stride = solid.stride(axis);
+        const std::size_t coordinate = i / stride % std::size_t(solid.size(axis));
+        const auto visit = [&](std::size_t j) {
+          if(!is_outside[j] && solid[j] > 0) {
+            is_outside[j] = 1;
+            front.push_back(j);
+          }
+        };
+        if(coordinate > 0)
+          visit(i - stride);
+        if(coordinate + 1 < std::size_t(solid.size(axis)))
+          visit(i + stride);
+      }
+    }
+    return is_outside;
+  }
+
+  /// Step 6: the surface of the solid where no data are near.
+  Completed_points sample(const Scalar_grid& solid) const
+  {
+    const std::vector<char> is_outside = outside(solid);
+    Points crossings;
+    solid.for_each_edge([&](std::size_t i, std::size_t j, int) {
+      const bool enters = (is_outside[i] && solid[j] <= 0) || (is_outside[j] && solid[i] <= 0);
+      if(enters)
+        crossings.push_back(crossing(solid, i, j));
+    });
+    std::vector<double> distance(crossings.size());
+    parallel_for(m_execution, crossings.size(),
+                 [&](std::size_t i) { distance[i] = data_distance(crossings[i]); });
+    const double least = m_parameters.least_gap * m_seen.spacing;
+    Completed_points completed;
+    Points far, normals;
+    for(std::size_t i = 0; i < crossings.size(); ++i) {
+      if(distance[i] < least)
+        continue;
+      const Vec3 normal = normalized_or(solid.gradient(crossings[i]), Vec3::Zero());
+      if(normal.isZero())
+        continue;
+      far.push_back(crossings[i]);
+      normals.push_back(normal);
+      completed.distance.push_back(distance[i]);
+    }
+    const std::vector<Index> kept = thinned(far, m_seen.spacing);
+    completed.points = selected(far, kept);
+    completed.normals = selected(normals, kept);
+    completed.distance = selected(completed.distance, kept);
+    return completed;
+  }
+
+  std::size_t nearest_ball(const Nearest_neighbors& centres, const Vec3& x) const
+  {
+    return centres.nearest(x).index;
+  }
+
+  /// Step 7: the solid passes the data at G(c_j) != 0; completed points near the border follow it, so
+  /// that there is no step.
+  void correct_border(const Scalar_grid& solid, Completed_points& completed) const
+  {
+    const double sp = m_seen.spacing;
+    std::vector<double> offset(m_seen.points.size());
+    parallel_for(m_execution, offset.size(), [&](std::size_t j) {
+      offset[j] = (std::min)(2., (std::max)(-2., solid(m_seen.points[j])));
+    });
+    const Sorted_grid data(m_seen.points, 4 * sp);
+    const Nearest_neighbors centres(m_balls.centres);
+    const std::size_t n = completed.points.size();
+    std::vector<double> delta(n), smoothed(n);
+    parallel_for(m_execution, n, [&](std::size_t i) {
+      const Vec3 &x = completed.points[i], &normal = completed.normals[i];
+      const double radius = (std::max)(2 * completed.distance[i], 4 * sp);
+      double sum = 0, weight = 0;
+      data.for_each_neighbor(x, radius, [&](Index j, double d2) {
+        const double cosine = m_seen.normals[j].dot(normal);
+        if(cosine > 0.2) {
+          const double k = cosine * std::exp(-4 * d2 / (radius * radius));
+          sum += k * offset[j];
+          weight += k;
+        }
+        return true;
+      });
+      const double ball = (std::max)(2., m_balls.radius[nearest_ball(centres, x)]);
+      const double far = completed.distance[i] / (1.5 * ball);
+      delta[i] = weight > 0 ? sum / weight / (1 + far * far) : 0;
+    });
+    const Sorted_grid around(completed.points, 4 * sp);
+    parallel_for(m_execution, n, [&](std::size_t i) {
+      double sum = 0, weight = 0;
+      around.for_each_neighbor(completed.points[i], 4 * sp, [&](Index j, double d2) {
+        if(completed.normals[j].dot(completed.normals[i]) > 0.3) {
+          const double k = std::exp(-4 * d2 / (16 * sp * sp));
+          sum += k * delta[j];
+          weight += k;
+        }
+        return true;
+      });
+      smoothed[i] = sum / weight;
+    });
+    for(std::size_t i = 0; i < n; ++i)
+      completed.points[i] += smoothed[i] * completed.normals[i];
+  }
+
+  void describe(Completed_points& completed) const
+  {
+    const Nearest_neighbors centres(m_balls.centres);
+    const std::size_t n = completed.points.size();
+    completed.inner.resize(n);
+    completed.is_clipped.resize(n);
+    completed.is_unanchored.resize(n);
+    parallel_for(m_execution, n, [&](std::size_t i) {
+      const std::size_t ball = nearest_ball(centres, completed.points[i]);
+      completed.inner[i] = m_balls.centres[ball];
+      completed.is_clipped[i] = m_balls.is_clipped[ball];
+      completed.is_unanchored[i] = char(m_sunk.anchoring[ball] == Anchoring::unanchored);
+      completed.distance[i] = data_distance(completed.points[i]);
+    });
+  }
+
+  Execution& m_execution;
+  Completion_parameters m_parameters;
+  const Consolidated_input& m_input;
+  const Seen_part& m_seen;
+  const Sunk_points& m_sunk;
+  const Free_space& m_free_space;
+  Nearest_neighbors m_data_tree;
+  Scalar_grid m_phi;
+  Balls m_balls;
+};
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_COMPLETION_H

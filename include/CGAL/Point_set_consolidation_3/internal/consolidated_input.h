@@ -1,0 +1,31 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONSOLIDATED_INPUT_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONSOLIDATED_INPUT_H
+
+#include <CGAL/Point_set_consolidation_3/internal/points.h>
+#include <CGAL/Point_set_consolidation_3/internal/views.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+/// What a method starts from. All lengths are in units of `frame.unit`.
+struct Consolidated_input {
+  Frame frame;
+  Points data;                 ///< C, in the caller's order
+  Points hints;                ///< rough normals of C; empty: none
+  Scan_directions directions;  ///< empty: none
+  Points points;               ///< S
+  Points normals;
+};
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONSOLIDATED_INPUT_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_QUADRIC_FIT_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_QUADRIC_FIT_H
+
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// A quadratic height field over the plane of a neighbourhood (a jet of degree 2).
+struct Quadric_fit {
+  Vec3 normal = Vec3::UnitZ();    ///< at the projection
+  Vec3 projection = Vec3::Zero(); ///< of the query, along the plane's normal
+  double residual = 0;            ///< root mean square of the heights left over
+};
+
+/// Fits to `neighbors` of `query`; to a plane where they do not determine a quadric.
+inline Quadric_fit fit_quadric(const Points& points, const Vec3& query,
+                               const std::vector<Neighbor>& neighbors)
+{
+  Quadric_fit fit;
+  fit.projection = query;
+  if(neighbors.size() < 3)
+    return fit;
+  Covariance_sum sum;
+  for(const Neighbor& neighbor : neighbors)
+    sum.add(points[neighbor.index] - query);
+  const auto axes = sum.axes();
+  const Vec3 w = axes.eigenvectors().col(0), u = axes.eigenvectors().col(1),
+             v = axes.eigenvectors().col(2);
+  const double scale = std::sqrt(neighbors.back().squared_distance);
+  fit.normal = w;
+  if(!(scale > tiny_length))
+    return fit;
+
+  typedef Eigen::Matrix<double, 6, 1> Coefficients;
+  Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Coefficients right_side = Coefficients::Zero();
+  const auto monomials = [&](const Vec3& d) {
+    const double x = u.dot(d) / scale, y = v.dot(d) / scale;
+    Coefficients row;
+    row << 1, x, y, x * x, x * y, y * y;
+    return row;
+  };
+  for(const Neighbor& neighbor : neighbors) {
+    const Vec3 d = points[neighbor.index] - query;
+    const Coefficients row = monomials(d);
+    normal_matrix += row * row.transpose();
+    right_side += w.dot(d) / scale * row;
+  }
+  constexpr std::size_t determined = 8;  // two more than coefficients
+  Coefficients c = Coefficients::Zero();
+  // a ridge far below the data's weight keeps degenerate neighbourhoods (lines) solvable
+  if(neighbors.size() >= determined) {
+    normal_matrix.diagonal().array() += 1e-9 * double(neighbors.size());
+    c = normal_matrix.ldlt().solve(right_side);
+  }
+  if(neighbors.size() < determined || !c.allFinite()) {
+    c.setZero();
+    c[0] = w.dot(sum.mean()) / scale;
+  }
+  double squares = 0;
+  for(const Neighbor& neighbor : neighbors) {
+    const Vec3 d = points[neighbor.index] - query;
+    const double left = w.dot(d) / scale - monomials(d).dot(c);
+    squares += left * left;
+  }
+  fit.residual = scale * std::sqrt(squares / double(neighbors.size()));
+  fit.projection = query + scale * c[0] * w;
+  fit.normal = (w - c[1] * u - c[2] * v).normalized();
+  return fit;
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_QUADRIC_FIT_H
