@@ -135,6 +135,10 @@ Distance_statistics distance_statistics(std::vector<double> distances)
   }
   result.mean /= count;
   result.rms = std::sqrt(square_sum / count);
+  for (std::size_t i = 0; i < result.quantiles.size(); ++i) {
+    const double share = static_cast<double>(i + 1) / static_cast<double>(result.quantiles.size());
+    result.quantiles[i] = distances[static_cast<std::size_t>(share * (count - 1.0))];
+  }
   result.percentile_95 = distances[static_cast<std::size_t>(0.95 * (count - 1.0))];
   result.max = distances.back();
   for (std::size_t i = 0; i < distribution_limits.size(); ++i) {

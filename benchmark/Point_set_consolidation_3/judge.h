@@ -30,6 +30,7 @@ struct Distance_statistics {
   double percentile_95 = 0.0;
   double max = 0.0;
   std::array<double, 5> share_within = {};  ///< of the samples, at `distribution_limits`
+  std::array<double, 20> quantiles = {};    ///< 5 %, 10 %, ... 100 %, to draw the distribution
 };
 
 Distance_statistics distance_statistics(std::vector<double> distances);
