@@ -1,0 +1,500 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ITERATIVE_CONSOLIDATION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ITERATIVE_CONSOLIDATION_H
+
+#include <CGAL/Point_set_consolidation_3/internal/confidence.h>
+#include <CGAL/Point_set_consolidation_3/internal/interpolatory_upsampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/mean_shift.h>
+#include <CGAL/Point_set_consolidation_3/internal/particle_selection.h>
+#include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
+#include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
+#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Iterative consolidation paper, algorithm 1: down-sampling to particles, outlier removal, repulsion along
+/// the particles' surface, up-sampling and selection, repeated for the points that were added last.
+/// Deviations from the printed values are defaults of the parameters; `Iterative_parameters::printed()` has the
+/// paper's.
+
+struct Iterative_parameters {
+  double particle_fraction = 0.1;      ///< m / |P^0|, 1/20 to 1/5 in the paper
+  std::size_t neighbors = 20;          ///< k of L_avg
+  double support_radius = 0;           ///< h, in the frame's unit; 0: 2 L_avg
+  std::size_t iterations = 10;
+  bool adaptive = true;                ///< false: all particles anew in each iteration
+  bool two_phases = false;             ///< first without repulsion at a smaller h, then as usual
+  std::uint64_t seed = 0;
+
+  Wlop_parameters wlop;
+  Mean_shift_parameters mean_shift;
+  Repulsion_parameters repulsion;
+  Upsampling_parameters upsampling;    ///< its lengths in units of h
+  Outlier_parameters outliers;
+  Guard_parameters guard;
+  /// Up-sampled points nearer to the data than this are no new points, in units of h; at least L_pnt / 2. L_pnt / 2
+  /// alone, as printed, fills the gaps of any random sample.
+  double selection_distance = 0.2;
+  double particles_per_new_point = 2;  ///< m^i = 2 m |P^i| / |P^0|
+  bool takes_back_open_borders = true;
+  Peel_parameters peel;                ///< its radius in units of h
+  double least_new_share = 0.1;        ///< of the largest |P^j|; the printed stop test cannot be met
+
+  static Iterative_parameters printed()
+  {
+    Iterative_parameters p;
+    p.repulsion.steps = 1;
+    p.repulsion.projections = 3;
+    p.repulsion.arc_factor = 0.15915494309189535;  // 1 / (2 pi)
+    p.repulsion.largest_normal_residual = (std::numeric_limits<double>::max)();
+    p.upsampling.least_distance = 1. / 3;
+    p.outliers.far_distance = 1;
+    p.outliers.removes_near = false;
+    p.guard.enabled = false;
+    p.selection_distance = 0;
+    p.takes_back_open_borders = false;
+    p.least_new_share = 0;
+    return p;
+  }
+};
+
+/// What the method starts from; lengths in the frame's unit.
+struct Iterative_input {
+  Points points;
+  Points normals;                      ///< empty: none
+  bool normals_are_hints = false;      ///< they only tell the side
+  Scan_directions directions;          ///< empty: none
+  std::vector<char> is_constrained;    ///< the static region; empty: none
+};
+
+struct Iterative_result {
+  Points normals;                      ///< of all input points
+  std::vector<char> is_outlier;        ///< of all input points
+  Points new_points, new_normals;
+  std::vector<double> new_confidence;  ///< in (0, 1]
+  std::vector<std::size_t> new_counts; ///< |P^i|, i = 1, 2, ...
+  std::size_t inconsistent_neighbors = 0;
+  double support_radius = 0;           ///< h
+};
+
+class Iterative_consolidation {
+  static constexpr std::size_t normal_neighbors = 18;
+  static constexpr std::size_t voting_passes = 3;
+  static constexpr std::size_t least_new_points = 20;   ///< fewer are the noise of the selection
+  static constexpr double first_phase_radius = 0.6;     ///< of h, in the first of two phases
+  /// Neighbourhoods of 20 particles need some hundreds of them.
+  static constexpr std::size_t least_particles = 500;
+
+public:
+  Iterative_consolidation(Execution& execution, const Iterative_input& input,
+                          const Iterative_parameters& parameters)
+    : m_execution(execution), m_input(input), m_parameters(parameters) {}
+
+  Iterative_result run()
+  {
+    const std::size_t n = m_input.points.size();
+    m_result.is_outlier.assign(n, 0);
+    first_particles();
+    if(m_h > 0) {
+      remove_outliers();
+      orient_points();
+      if(m_parameters.two_phases) {
+        iterate(0.3, first_phase_radius, 0);
+        sample_particles(m_points, m_number_of_particles);
+      }
+      iterate(m_parameters.two_phases ? 0.25 : 0.55, 1, m_parameters.repulsion.steps);
+    }
+    else {
+      keep_all();
+      orient_points();
+    }
+    finish();
+    return std::move(m_result);
+  }
+
+private:
+  /// Lines 1, 2, 5 to 8 of algorithm 1.
+  void first_particles()
+  {
+    Stage stage(m_execution, "down-sampling", 0.15);
+    const Points& data = m_input.points;
+    m_number_of_particles =
+      (std::min)(data.size(),
+                 (std::max)(least_particles,
+                            std::size_t(m_parameters.particle_fraction * double(data.size()))));
+    m_nearest = nearest_table(m_execution, data, m_parameters.neighbors);
+    stage.update(0.2);
+    for(const std::size_t i : random_subset(data.size(), m_number_of_particles, m_parameters.seed))
+      m_particles.push_back(data[i]);
+    m_h = support_of(m_particles);
+    if(!(m_h > 0) || m_particles.size() <= m_parameters.neighbors) {
+      m_h = 0;
+      return;
+    }
+    move_particles(stage, data, std::vector<char>());
+    const std::vector<char> is_outlier =
+      mean_shift_outliers(m_execution, m_particles, m_parameters.mean_shift);
+    Points kept;
+    for(std::size_t i = 0; i < m_particles.size(); ++i)
+      if(!is_outlier[i])
+        kept.push_back(m_particles[i]);
+    m_particles.swap(kept);
+    m_h = support_of(m_particles);
+    if(m_particles.size() <= m_parameters.neighbors)
+      m_h = 0;
+  }
+
+  /// h = 2 L_avg. The median over the particles: a few far outliers would spoil the mean.
+  double support_of(const Points& particles) const
+  {
+    if(m_parameters.support_radius > 0)
+      return m_parameters.support_radius;
+    return 2 * median(neighbor_distances(m_execution, Nearest_neighbors(particles), particles,
+                                         m_parameters.neighbors));
+  }
+
+  /// WLOP of the particles that are not static.
+  void move_particles(Stage& stage, const Points& data, const std::vector<char>& is_static)
+  {
+    Wlop_parameters parameters = m_parameters.wlop;
+    parameters.support_radius = m_h;
+    const Wlop_kernel kernel(m_h);
+    const Sorted_grid grid(data, kernel.reach);
+    const std::vector<double> densities = wlop_densities(m_execution, grid, data, kernel);
+    const Wlop_projection<> wlop(m_execution, {&grid, &densities}, parameters);
+    wlop.run(stage, m_particles, is_static);
+  }
+
+  /// Line 13 of algorithm 1. The up-sampled surface is that of the particles before repulsion, so that what is
+  /// an outlier does not depend on how borders are extended.
+  void remove_outliers()
+  {
+    Stage stage(m_execution, "outliers", 0.15);
+    const Nearest_table table = nearest_table(m_execution, m_particles, m_parameters.neighbors);
+    Points normals = table_normals(m_particles, table);
+    if(!hints().empty())
+      orient_by_hints(m_execution, m_particles, normals, m_input.points, hints());
+    else
+      orient_by_propagation(m_particles, normals, table);
+    stage.update(0.2);
+    Points surface = m_particles;
+    std::vector<std::size_t> centres(surface.size());
+    for(std::size_t i = 0; i < centres.size(); ++i)
+      centres[i] = i;
+    Interpolatory_upsampling(m_execution, upsampling_parameters(m_h))
+      .run(stage, surface, normals, std::move(centres));
+    Outlier_parameters parameters = m_parameters.outliers;
+    parameters.support_radius = m_h;
+    m_result.is_outlier = outlier_points(m_execution, m_input.points, m_nearest, surface, normals,
+                                         parameters);
+    for(std::size_t i = 0; i < m_input.is_constrained.size(); ++i)
+      if(m_input.is_constrained[i])
+        m_result.is_outlier[i] = 0;
+    keep_all();
+  }
+
+  /// The points that are no outliers become P.
+  void keep_all()
+  {
+    std::vector<Index> place(m_input.points.size(), 0);
+    for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      if(!m_result.is_outlier[i]) {
+        place[i] = Index(m_points.size());
+        m_original.push_back(Index(i));
+        m_points.push_back(m_input.points[i]);
+      }
+    // neighbours that remain; where most are gone the row is searched anew
+    Nearest_table table;
+    table.k = (std::min)(m_nearest.k, m_points.empty() ? 0 : m_points.size() - 1);
+    table.neighbors.resize(m_points.size() * table.k);
+    const Nearest_neighbors tree(m_points);
+    parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
+      const Index* old = m_nearest.row(m_original[i]);
+      Index* row = table.neighbors.data() + i * table.k;
+      std::size_t count = 0;
+      for(std::size_t k = 0; k < m_nearest.k; ++k)
+        if(!m_result.is_outlier[old[k]] && count < table.k)
+          row[count++] = place[old[k]];
+      if(count == table.k)
+        return;
+      std::vector<Neighbor> found;
+      tree.find(m_points[i], table.k + 1, found);
+      count = 0;
+      for(const Neighbor& neighbor : found)
+        if(neighbor.index != i && count < table.k)
+          row[count++] = neighbor.index;
+      while(count < table.k)
+        row[count++] = Index(i);
+    });
+    m_nearest = std::move(table);
+    m_number_of_kept = m_points.size();
+  }
+
+  const Points& hints() const
+  {
+    return m_input.directions.empty() ? m_input.normals : m_input.directions.towards_scanner;
+  }
+
+  Points table_normals(const Points& points, const Nearest_table& nearest) const
+  {
+    Points normals(points.size(), Vec3::UnitZ());
+    parallel_for(m_execution, points.size(), [&](std::size_t i) {
+      std::vector<Neighbor> neighbors(1, Neighbor{Index(i), 0.});
+      for(std::size_t k = 0; k < (std::min)(nearest.k, normal_neighbors); ++k) {
+        const Index j = nearest.row(i)[k];
+        neighbors.push_back({j, (points[j] - points[i]).squaredNorm()});
+      }
+      const Vec3 normal = fit_quadric(points, points[i], neighbors).normal;
+      if(normal.allFinite())
+        normals[i] = normal;
+    });
+    return normals;
+  }
+
+  /// Line 9 of algorithm 1, on P: particles are coarser than thin parts, where their own normals fail.
+  void orient_points()
+  {
+    Stage stage(m_execution, "normals", 0.1);
+    m_normals = table_normals(m_points, m_nearest);
+    stage.update(0.5);
+    const bool has_normals = !m_input.normals.empty() && !m_input.normals_are_hints;
+    if(!has_normals && hints().empty()) {
+      orient_by_propagation(m_points, m_normals, m_nearest);
+      orient_by_vote(m_execution, m_points, m_normals, m_nearest, voting_passes);
+    }
+    else {
+      const Points& sides = has_normals ? m_input.normals : hints();
+      constexpr double decisive = 0.2;  // cosine from which a point's own hint is trusted
+      parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
+        double vote = m_normals[i].dot(sides[m_original[i]]);
+        if(std::abs(vote) < decisive)
+          for(std::size_t k = 0; k < m_nearest.k; ++k)
+            vote += m_normals[i].dot(sides[m_original[m_nearest.row(i)[k]]]);
+        if(vote < 0)
+          m_normals[i] = -m_normals[i];
+        if(has_normals)
+          m_normals[i] = normalized_or(m_input.normals[m_original[i]], m_normals[i]);
+      });
+    }
+    m_result.inconsistent_neighbors = inconsistent_neighbors(m_points, m_normals, m_nearest);
+    m_kept_points = m_points;
+    m_kept_normals = m_normals;
+  }
+
+  /// Lines 3 to 18 of algorithm 1.
+  void iterate(double share, double h_factor, std::size_t repulsion_steps)
+  {
+    const double h = h_factor * m_h;
+    const Free_space free_space =
+      m_input.directions.view.empty()
+        ? Free_space()
+        : Free_space(m_execution, m_kept_points, kept_directions(),
+                     m_parameters.guard.free_space_tolerance * m_h);
+    const Placement_guard guard(m_kept_points, m_kept_normals, free_space, m_h,
+                                m_parameters.guard);
+    const Placement_test may_place = [&guard](const Vec3& x, const Vec3& n) { return guard(x, n); };
+    const double iteration_share = share / double((std::max)(std::size_t(1), m_parameters.iterations));
+    const double least_distance =
+      (std::max)(m_parameters.selection_distance * h,
+                 nearest_distance(m_execution, m_kept_points, m_nearest) / 2);
+
+    std::size_t first_alive = 0, largest = 0;
+    for(std::size_t i = 0; i < m_parameters.iterations; ++i) {
+      Stage stage(m_execution, "iteration", iteration_share);
+      stage.count_iteration();
+      orient_particles(first_alive);
+      std::vector<char> is_static(m_particles.size(), 0);
+      for(std::size_t k = 0; k < m_particles.size(); ++k)
+        is_static[k] = k < first_alive || is_in_static_region(m_particles[k]);
+      Repulsion_parameters repulsion = m_parameters.repulsion;
+      repulsion.support_radius = h;
+      repulsion.steps = repulsion_steps;
+      repulsion.largest_step = h / 2;  // L_avg
+      Surface_repulsion(m_execution, m_particles, m_particle_normals, repulsion, may_place)
+        .run(stage, m_particles, m_particle_normals, is_static);
+
+      Points surface = m_particles, surface_normals = m_particle_normals;
+      std::vector<std::size_t> centres;
+      for(std::size_t k = first_alive; k < m_particles.size(); ++k)
+        centres.push_back(k);
+      Interpolatory_upsampling(m_execution, upsampling_parameters(h), may_place)
+        .run(stage, surface, surface_normals, std::move(centres));
+
+      const Sorted_grid grid(m_points, least_distance);
+      const std::vector<std::size_t> selected =
+        select_new_points(m_execution, grid, surface, first_alive, least_distance);
+      Points added;
+      for(const std::size_t k : selected) {
+        if(!may_place(surface[k], surface_normals[k]))
+          continue;
+        added.push_back(surface[k]);
+        m_points.push_back(surface[k]);
+        m_normals.push_back(surface_normals[k]);
+      }
+      m_result.new_counts.push_back(added.size());
+      largest = (std::max)(largest, added.size());
+      if(added.empty() || i + 1 == m_parameters.iterations ||
+         double(added.size()) < (std::max)(m_parameters.least_new_share > 0 ? double(least_new_points) : 1.,
+                                           m_parameters.least_new_share * double(largest)))
+        break;
+
+      if(!m_parameters.adaptive) {
+        first_alive = 0;
+        sample_particles(m_points, m_number_of_particles * m_points.size() / m_number_of_kept);
+        move_particles(stage, m_points, std::vector<char>());
+        continue;
+      }
+      // line 17; m^i = 2 m |P^i| / |P^0|
+      first_alive = m_particles.size();
+      const double count = m_parameters.particles_per_new_point * double(m_number_of_particles) *
+                           double(added.size()) / double(m_input.points.size());
+      for(const std::size_t k : random_subset(added.size(), (std::max)(std::size_t(1), std::size_t(count)),
+                                              m_parameters.seed + i + 1))
+        m_particles.push_back(added[k]);
+      std::vector<char> is_old(m_particles.size(), 0);
+      std::fill(is_old.begin(), is_old.begin() + std::ptrdiff_t(first_alive), 1);
+      move_particles(stage, m_points, is_old);
+    }
+  }
+
+  void sample_particles(const Points& from, std::size_t count)
+  {
+    m_particles.clear();
+    for(const std::size_t k : random_subset(from.size(), count, m_parameters.seed))
+      m_particles.push_back(from[k]);
+  }
+
+  Scan_directions kept_directions() const
+  {
+    Scan_directions directions;
+    for(const Index i : m_original) {
+      directions.towards_scanner.push_back(m_input.directions.towards_scanner[i]);
+      directions.view.push_back(m_input.directions.view[i]);
+    }
+    return directions;
+  }
+
+  Upsampling_parameters upsampling_parameters(double h) const
+  {
+    Upsampling_parameters parameters = m_parameters.upsampling;
+    parameters.least_distance *= h;
+    parameters.support_radius = h;
+    return parameters;
+  }
+
+  /// Normals of the particles from `first` on: the mean of those of the points around, on the side of the
+  /// nearest of them.
+  void orient_particles(std::size_t first)
+  {
+    const Wlop_kernel kernel(m_h);
+    const Sorted_grid grid(m_points, kernel.reach);
+    const Nearest_neighbors tree(m_points);
+    m_particle_normals.resize(m_particles.size(), Vec3::UnitZ());
+    parallel_for(m_execution, m_particles.size() - first, [&](std::size_t k) {
+      const std::size_t i = first + k;
+      const Vec3 side = m_normals[tree.nearest(m_particles[i]).index];
+      Vec3 sum = Vec3::Zero();
+      grid.for_each_neighbor_block(m_particles[i], kernel.reach, [&](const Neighbor_block& block) {
+        Block_weights theta;
+        kernel.theta(block, theta);
+        for(int j = 0; j < block.size; ++j) {
+          const Vec3& n = m_normals[block.index[j]];
+          if(n.dot(side) > 0)
+            sum += theta[j] * n;
+        }
+      });
+      m_particle_normals[i] = normalized_or(sum, side);
+    });
+  }
+
+  bool is_in_static_region(const Vec3& x)
+  {
+    if(m_input.is_constrained.empty())
+      return false;
+    if(!m_region_tree)
+      m_region_tree = std::make_unique<Nearest_neighbors>(m_input.points);
+    return m_input.is_constrained[m_region_tree->nearest(x).index] != 0;
+  }
+
+  /// Takes back what closed no hole, and lists the result.
+  void finish()
+  {
+    Stage stage(m_execution, "selection", 0.05);
+    std::vector<char> removed(m_points.size(), 0);
+    if(m_parameters.takes_back_open_borders && m_h > 0) {
+      Peel_parameters peel = m_parameters.peel;
+      peel.radius *= m_h;
+      removed = peel_open_borders(m_execution, m_points, m_normals, m_number_of_kept, peel);
+    }
+    const Nearest_neighbors data(m_kept_points);
+    for(std::size_t i = m_number_of_kept; i < m_points.size(); ++i) {
+      if(removed[i])
+        continue;
+      m_result.new_points.push_back(m_points[i]);
+      m_result.new_normals.push_back(m_normals[i]);
+      const double distance = std::sqrt(data.nearest(m_points[i]).squared_distance);
+      m_result.new_confidence.push_back(confidence(distance / spacing()));
+    }
+    m_result.normals.assign(m_input.points.size(), Vec3::UnitZ());
+    for(std::size_t k = 0; k < m_number_of_kept; ++k)
+      m_result.normals[m_original[k]] = m_normals[k];
+    if(m_number_of_kept > 0)
+      parallel_for(m_execution, m_input.points.size(), [&](std::size_t i) {
+        if(m_result.is_outlier[i])
+          m_result.normals[i] = m_normals[data.nearest(m_input.points[i]).index];
+      });
+    m_result.support_radius = m_h;
+  }
+
+  /// Of the particles: h = 2 L_avg, and the mean distance to 20 neighbours is 1.7 spacings.
+  double spacing() const { return m_h > 0 ? m_h / 3.4 : 1; }
+
+  Execution& m_execution;
+  const Iterative_input& m_input;
+  Iterative_parameters m_parameters;
+  Iterative_result m_result;
+
+  double m_h = 0;
+  std::size_t m_number_of_particles = 0;
+  Points m_particles, m_particle_normals;          ///< X
+  Nearest_table m_nearest;                         ///< of the input, later of what was kept
+  std::vector<Index> m_original;                   ///< input index of the kept points
+  std::size_t m_number_of_kept = 0;
+  Points m_points, m_normals;                      ///< P: kept points, then added ones
+  Points m_kept_points, m_kept_normals;
+  std::unique_ptr<Nearest_neighbors> m_region_tree;
+};
+
+/// The method on points in the user's coordinates; lengths of `parameters` and of the result are in the user's
+/// unit as well.
+inline Iterative_result consolidate_iteratively(Execution& execution, const Iterative_input& world,
+                                                Iterative_parameters parameters)
+{
+  constexpr std::size_t sample = 2000;  // enough for the unit, whose exact value does not matter
+  Frame frame = data_frame(execution, world.points, sample);
+  if(!(frame.unit > 0))
+    frame.unit = 1;
+  Iterative_input input = world;
+  for(Vec3& p : input.points)
+    p = frame.to_local(p);
+  parameters.support_radius /= frame.unit;
+  Iterative_result result = Iterative_consolidation(execution, input, parameters).run();
+  for(Vec3& p : result.new_points)
+    p = frame.to_world(p);
+  result.support_radius *= frame.unit;
+  return result;
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ITERATIVE_CONSOLIDATION_H
