@@ -1,0 +1,228 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+#include "json.h"
+#include "point_file.h"
+
+#include <CGAL/extract_laplacian_contraction_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace params = CGAL::Point_set_consolidation_3::parameters;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
+using Concurrency_tag = CGAL::Parallel_if_available_tag;
+using Oriented_point = std::pair<Point, Vector>;
+using Stage_times = std::vector<CGAL::Point_set_consolidation_3::internal::Stage_time>;
+
+struct Options {
+  std::string input, output, method = "laplacian", json;
+  bool quiet = false;
+  std::size_t threads = 0;
+  // laplacian
+  std::string weights = "cotangent";
+  std::optional<std::size_t> neighbors, samples;
+  std::size_t iterations = 20, largest_merged_cycle = 6;
+  double contraction_weight = 1, attraction_weight = 1, contraction_factor = 3, threshold = 0.01;
+  double sampling_radius = 0.02;
+  bool is_surface = false, ignores_normals = false, keeps_tips = false;
+};
+
+struct Run {
+  const Options& options;
+  support::Progress_bar& progress;
+  Stage_times times = {};
+  std::size_t number_of_points = 0;
+};
+
+Point to_point(const support::Vec3& p) { return Point(p.x(), p.y(), p.z()); }
+
+Skeleton laplacian(Run& run)
+{
+  using CGAL::Point_set_consolidation_3::Laplacian_weights;
+  static const std::map<std::string, Laplacian_weights> weights = {
+    {"cotangent", Laplacian_weights::COTANGENT},
+    {"mean-value", Laplacian_weights::MEAN_VALUE},
+    {"combinatorial", Laplacian_weights::COMBINATORIAL}};
+  const Options& options = run.options;
+  const auto extract = [&](const auto& np, const auto&... input) {
+    Skeleton skeleton;
+    const auto parameters =
+      np.laplacian_weights(weights.at(options.weights))
+        .contraction_weight(options.contraction_weight)
+        .attraction_weight(options.attraction_weight)
+        .contraction_factor(options.contraction_factor)
+        .convergence_threshold(options.threshold)
+        .number_of_iterations(options.iterations)
+        .sampling_radius(options.sampling_radius)
+        .largest_merged_cycle(options.largest_merged_cycle)
+        .extend_tips(!options.keeps_tips)
+        .stage_times(std::ref(run.times))
+        .callback([&](double fraction) { return run.progress(fraction); });
+    const std::size_t samples = options.samples.value_or(options.is_surface ? 10000 : 20000);
+    if(options.neighbors)
+      CGAL::extract_laplacian_contraction_skeleton<Concurrency_tag>(
+        input..., skeleton, parameters.number_of_samples(samples).k_neighbors(*options.neighbors));
+    else
+      CGAL::extract_laplacian_contraction_skeleton<Concurrency_tag>(
+        input..., skeleton, parameters.number_of_samples(samples));
+    return skeleton;
+  };
+
+  if(options.is_surface) {
+    const support::Triangle_mesh mesh = support::read_mesh(options.input);
+    std::vector<Point> points;
+    for(const support::Vec3& p : mesh.vertices)
+      points.push_back(to_point(p));
+    run.number_of_points = points.size();
+    return extract(params::random_seed(std::uint64_t(0)), points, mesh.faces);
+  }
+  const support::Point_cloud cloud = support::read_point_cloud(options.input);
+  run.number_of_points = cloud.size();
+  std::vector<Oriented_point> points;
+  for(std::size_t i = 0; i < cloud.size(); ++i) {
+    const bool has_normal = !cloud.normals.empty();
+    const support::Vec3 n = has_normal ? cloud.normals[i].normalized() : support::Vec3(0, 0, 0);
+    points.emplace_back(to_point(cloud.points[i]), Vector(n.x(), n.y(), n.z()));
+  }
+  const auto positions = params::point_map(CGAL::First_of_pair_property_map<Oriented_point>());
+  if(cloud.normals.empty() || options.ignores_normals)
+    return extract(positions, points);
+  return extract(positions.normal_map(CGAL::Second_of_pair_property_map<Oriented_point>()), points);
+}
+
+using Method = Skeleton (*)(Run&);
+const std::map<std::string, Method> methods = {
+  {"laplacian", laplacian},
+};
+
+bool parse(Options& options, int argc, char** argv)
+{
+  support::Command_line line("extract_skeleton", "Extracts the curve skeleton of a point set.");
+  line.positional("INPUT", options.input, "point file: .ply .off .noff .xyz .pwn .las");
+  line.option("-o,--output", "FILE", options.output,
+              "skeleton: .ply with edges and radii, or .polylines.txt");
+  std::vector<std::string> names;
+  for(const auto& method : methods)
+    names.push_back(method.first);
+  line.option("--method", "NAME", options.method, "how the skeleton is found").one_of(names);
+  line.option("--json", "FILE", options.json, "report: counts, seconds and iterations of each stage");
+  line.option("--threads", "N", options.threads, "number of threads").default_is("all");
+  line.flag("-q,--quiet", options.quiet, "no progress bar");
+
+  line.heading("Method laplacian");
+  line.flag("--surface", options.is_surface,
+            "the input is a soup of polygons (.off .ply .obj .stl), which is sampled");
+  line.flag("--ignore-normals", options.ignores_normals,
+            "centre by means, also if the input has (outward) normals");
+  line.option("--samples", "N", options.samples, "largest number of points to contract").at_least(4)
+    .default_is("20000; surfaces: 10000");
+  line.option("--neighbors", "K", options.neighbors, "nearest points among which rings are found")
+    .at_least(4).default_is("0.012 N within 8 and 30");
+  line.option("--weights", "NAME", options.weights, "of the Laplacian")
+    .one_of({"cotangent", "mean-value", "combinatorial"});
+  line.option("--contraction-weight", "X", options.contraction_weight,
+              "W_L^0, as a multiple of 1 / (5 S^0)").above(0);
+  line.option("--attraction-weight", "X", options.attraction_weight, "W_H^0").above(0);
+  line.option("--contraction-factor", "X", options.contraction_factor,
+              "s_L, growth of the contraction weight").at_least(1);
+  line.option("--threshold", "X", options.threshold,
+              "t, least decrease of the mean extent in an iteration").above(0);
+  line.option("--iterations", "N", options.iterations, "largest number of contractions").between(1, 1000);
+  line.option("--sampling-radius", "X", options.sampling_radius,
+              "r, distance of nodes, in bounding box diagonals").between(0.001, 1);
+  line.option("--merge-cycles", "N", options.largest_merged_cycle,
+              "merge cycles of at most N nodes; 0: none");
+  line.flag("--keep-tips", options.keeps_tips, "do not extend tips to the end of the shape");
+  if(!line.parse(argc, argv))
+    return false;
+  if(options.output.empty())
+    throw support::Usage_error("--output is missing");
+  return true;
+}
+
+support::Segment_graph to_segment_graph(const Skeleton& skeleton)
+{
+  support::Segment_graph graph;
+  for(std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+    const Point& p = skeleton[v].point;
+    graph.vertices.emplace_back(p.x(), p.y(), p.z());
+    graph.radius.push_back(skeleton[v].radius);
+  }
+  const auto range = edges(skeleton);
+  for(auto e = range.first; e != range.second; ++e)
+    graph.edges.push_back({source(*e, skeleton), target(*e, skeleton)});
+  return graph;
+}
+
+void write(const Options& options, const Skeleton& skeleton)
+{
+  const std::string& name = options.output;
+  if(name.size() > 4 && name.compare(name.size() - 4, 4, ".ply") == 0)
+    support::write_segment_graph(name, to_segment_graph(skeleton));
+  else if(!CGAL::IO::write_curve_skeleton(name, skeleton))
+    throw support::File_error(name + ": cannot be written");
+}
+
+void report(const Run& run, const Skeleton& skeleton)
+{
+  std::size_t tips = 0, branches = 0;
+  for(std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+    tips += degree(v, skeleton) == 1;
+    branches += degree(v, skeleton) > 2;
+  }
+  support::Json json;
+  json["method"] = run.options.method;
+  json["points"] = run.number_of_points;
+  json["vertices"] = num_vertices(skeleton);
+  json["edges"] = num_edges(skeleton);
+  json["components"] = CGAL::number_of_skeleton_components(skeleton);
+  json["cycles"] = CGAL::number_of_skeleton_cycles(skeleton);
+  json["tips"] = tips;
+  json["branch_vertices"] = branches;
+  for(const auto& stage : run.times) {
+    json["stages"][stage.name]["seconds"] = stage.seconds;
+    json["stages"][stage.name]["iterations"] = stage.iterations;
+  }
+  support::write_json(run.options.json, json);
+}
+
+void check_output(const std::string& name)
+{
+  for(const std::string end : {".ply", ".polylines.txt", ".cgal"})
+    if(name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+      return;
+  throw support::File_error(name + ": the extension is none of .ply .polylines.txt .cgal");
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  return support::run_program("extract_skeleton", [&] {
+    Options options;
+    if(!parse(options, argc, argv))
+      return;
+    check_output(options.output);
+    const support::Thread_limit threads(options.threads);
+    support::Progress_bar progress("skeleton", options.quiet);
+    Run run{options, progress};
+    const Skeleton skeleton = methods.at(options.method)(run);
+    write(options, skeleton);
+    if(!options.json.empty())
+      report(run, skeleton);
+  });
+}
