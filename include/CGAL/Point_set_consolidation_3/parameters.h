@@ -80,6 +80,21 @@
   X(particle_fraction)       /* particles per input point */                            \
   X(k_neighbors)                                                                        \
   X(adaptive)                                                                           \
+  X(initial_sample)          /* particles to start from */                              \
+  X(static_sample)           /* particles that act but stay */                          \
+  /* iterative consolidation */                                                         \
+  X(two_phases)                                                                         \
+  X(printed_values)          /* the paper's values instead of the tested defaults */    \
+  X(repulsion_weight)        /* mu */                                                   \
+  X(number_of_repulsion_steps)                                                          \
+  X(number_of_projections)                                                              \
+  X(minimum_spacing)         /* d_min of the up-sampling */                             \
+  X(shift_threshold)         /* s of the mean shift */                                  \
+  X(far_outlier_distance)    /* in units of h */                                        \
+  X(completion_guard)        /* where completed points may lie */                       \
+  X(inconsistent_neighbors)  /* receives their number */                                \
+  X(completed_output_iterator)                                                          \
+  X(confidence_output_iterator)                                                         \
   /* deep points */                                                                     \
   X(data_term)                                                                          \
   X(prior)                                                                              \
