@@ -12,7 +12,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 
-#include <limits>
+#include <CGAL/number_type_config.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -20,8 +20,8 @@ namespace internal {
 
 /// Feature-enhanced surfaces paper, sections III.B and VI: normals that belong to one of the point clusters
 /// at a sharp edge instead of their mean. In: points and, if known, their normals. Out: unit normals.
-/// Signs of given normals are kept; comparisons between neighbours ignore the sign, so that normals need
-/// not be oriented.
+/// Signs of given normals are kept. If normals are not oriented, neighbours are compared without regard to
+/// their signs; if they are, the two sides of a thin plate are told apart.
 ///
 /// The paper says only that clusters are distinguished. Done in two steps: a point takes the plane of that
 /// neighbourhood around it that does not straddle an edge, then normals are averaged over neighbours
@@ -58,6 +58,7 @@ inline Nearest_table nearest_table(const Execution& execution, const Points& poi
 }
 
 struct Normal_parameters {
+  bool oriented = false;            ///< the signs of given normals mean something
   double sharpness_angle = 25;      ///< alpha of equation (5), degrees: normals this far apart are not averaged
   std::size_t iterations = 8;       ///< of the averaging within clusters
   std::size_t plane_neighbors = 30; ///< points of a candidate plane: 3 spacings, averages noise of half a spacing
@@ -67,17 +68,24 @@ struct Normal_parameters {
 /// phi of equation (5) with 1 - n n_i in the place of the misprint n_i n_i.
 class Normal_similarity {
 public:
-  explicit Normal_similarity(double angle_in_degrees)
-    : m_inverse_width(1 / (1 - std::cos(angle_in_degrees * 3.14159265358979323846 / 180)))
+  Normal_similarity(double angle_in_degrees, bool oriented)
+    : m_inverse_width(1 / (1 - std::cos(angle_in_degrees * CGAL_PI / 180))), m_oriented(oriented)
   {}
-  double operator()(double cosine) const
+  /// Cosine of the angle between two normals, or between their lines.
+  double cosine(const Vec3& a, const Vec3& b) const
   {
-    const double t = (1 - cosine) * m_inverse_width;
+    const double c = a.dot(b);
+    return m_oriented ? c : std::abs(c);
+  }
+  double operator()(const Vec3& a, const Vec3& b) const
+  {
+    const double t = (1 - cosine(a, b)) * m_inverse_width;
     return std::exp(-t * t);  // squared as in CGAL: falls off steeply between clusters
   }
 
 private:
   double m_inverse_width;
+  bool m_oriented;
 };
 
 class Normal_optimization {
@@ -123,7 +131,7 @@ public:
   /// Averages normals over neighbours of the same cluster.
   void smooth(Points& normals) const
   {
-    const Normal_similarity phi(m_parameters.sharpness_angle);
+    const Normal_similarity phi(m_parameters.sharpness_angle, m_parameters.oriented);
     Points next(normals.size());
     for(std::size_t t = 0; t < m_parameters.iterations; ++t) {
       parallel_for(m_execution, normals.size(), [&](std::size_t i) {
@@ -133,11 +141,12 @@ public:
           const Index* row = m_table.row(i);
           const double reach = (m_points[row[width - 1]] - m_points[i]).squaredNorm();
           for(std::size_t k = 0; k < width; ++k) {
-            const double cosine = normals[i].dot(normals[row[k]]);
+            const Vec3& other = normals[row[k]];
             const double d2 = (m_points[row[k]] - m_points[i]).squaredNorm();
             // a Gauss function that has fallen to e^-2 at the last neighbour
             const double theta = reach > 0 ? std::exp(-2 * d2 / reach) : 1;
-            sum += theta * phi(std::abs(cosine)) * (cosine < 0 ? -1. : 1.) * normals[row[k]];
+            const double sign = normals[i].dot(other) < 0 ? -1 : 1;  // phi is 0 if signs count
+            sum += sign * theta * phi(normals[i], other) * other;
           }
         }
         next[i] = normalized_or(sum, normals[i]);
