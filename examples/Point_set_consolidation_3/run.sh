@@ -28,7 +28,8 @@ fi
 configure "$root" "$build"
 jobs=$(number_of_jobs)
 say "building the programs with $jobs jobs"
-cmake --build "$build" -j "$jobs" --target consolidate_point_set virtual_scan judge
+cmake --build "$build" -j "$jobs" \
+  --target consolidate_point_set virtual_scan judge_mesh
 
 bin=$build/bin
 results=$build/results
