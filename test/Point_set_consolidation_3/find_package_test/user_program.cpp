@@ -1,10 +1,13 @@
+// A user's program: half of a tube, seen from one side, is completed.
 #undef NDEBUG
-#include <CGAL/Point_set_consolidation_3/parameters.h>
+#include <CGAL/Deep_point_3.h>
 #include <CGAL/Point_set_consolidation_3/version.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/compute_average_spacing.h>
+#include <CGAL/deep_points_consolidate_point_set.h>
 
 #include <cassert>
+#include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -24,12 +27,19 @@ int main(int argc, char** argv)
   assert(std::string(argv[1]) == "OFF");
 #endif
 
-  using Point = CGAL::Simple_cartesian<double>::Point_3;
-  std::vector<Point> points;
-  for(int i = 0; i < 10; ++i)
-    points.emplace_back(i, 0, 0);
-  const auto np = params::collision_angle(45.).number_of_iterations(3);
-  const double spacing = CGAL::compute_average_spacing<CGAL::Parallel_if_available_tag>(
-      points, 2, np.cgal_parameters());
-  assert(spacing > 0);
+  using Kernel = CGAL::Simple_cartesian<double>;
+  std::vector<Kernel::Point_3> points;
+  for(int i = 0; i < 80; ++i)
+    for(int j = 0; j < 40; ++j) {
+      const double angle = CGAL_PI * (j + 0.5 * (i % 2)) / 40;
+      points.emplace_back(std::cos(angle), std::sin(angle), i * 0.08);
+    }
+
+  std::vector<CGAL::Deep_point_3<Kernel> > deep_points;
+  CGAL::deep_points_consolidate_point_set<CGAL::Parallel_if_available_tag>(
+      points, std::back_inserter(deep_points),
+      params::number_of_output_points(600).number_of_surface_iterations(20));
+  assert(deep_points.size() == 600);
+  for(const auto& deep_point : deep_points)
+    assert(std::isfinite(deep_point.outer().x()) && std::isfinite(deep_point.inner().x()));
 }
