@@ -133,6 +133,16 @@
   X(surface_weight)                                                                     \
   X(skeleton_weight)                                                                    \
   X(outside_weight)                                                                     \
+  /* feature-enhanced surfaces */                                                       \
+  X(anisotropic_formula)                                                                \
+  X(upsampling_formula)                                                                 \
+  X(plane_width)             /* sigma_p of the tangent plane weight */                  \
+  X(enhance_features)                                                                   \
+  X(prominence)              /* tau, in logarithms of the density */                    \
+  X(segmentation_method)                                                                \
+  X(variation_penalty)       /* lambda, of a cut in a chain of the skeleton */          \
+  X(segment_methods)         /* range of methods in the order of the segments */        \
+  X(upsampling_factor)                                                                  \
   /* observation */                                                                     \
   X(stage_times)             /* seconds and iterations of each stage */
 

@@ -14,20 +14,29 @@
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
+
+/*!
+\ingroup PkgPointSetConsolidation3Ref
+
+How `anisotropic_wlop_simplify_and_regularize_point_set()` reads equations (1) to (4) of the paper.
+*/
+enum class Anisotropic_formula : unsigned char {
+  /// as printed, sums over all points: quadratic time, and faces shrink towards their middle
+  PRINTED,
+  /// distance weights beside the tangent plane weights in (1) and (2), and a support radius three times as large
+  LOCAL,
+  /// points are attracted to the surface of their own cluster only, and repelled along it, up to its edges
+  SEPARATED
+};
+
 namespace internal {
 
 /// Feature-enhanced surfaces paper, section III.A: a locally optimal projection whose weights know normals.
-/// In: data P with unit normals, the points Q to project and their normals (only `separated` uses
-/// them). Out: Q, projected; with `separated` on the surface of its own cluster, up to the edges.
-
-enum class Anisotropic_formula : unsigned char {
-  printed,    ///< equations (1) to (4) to the letter, over all points: slow, and faces shrink towards their middle
-  local,      ///< the same with theta beside the tangent plane weight in (1) and (2), and a larger radius
-  separated   ///< attraction within a cluster, to its planes; repulsion along them
-};
+/// In: data P with unit normals, the points Q to project and their normals (only `SEPARATED` uses
+/// them). Out: Q, projected; with `SEPARATED` on the surface of its own cluster, up to the edges.
 
 struct Anisotropic_wlop_parameters {
-  Anisotropic_formula formula = Anisotropic_formula::separated;
+  Anisotropic_formula formula = Anisotropic_formula::SEPARATED;
   bool oriented = false;
   double support_radius = 0;     ///< h
   double plane_width = 0;        ///< sigma_p
@@ -58,7 +67,7 @@ public:
 
   void run(Stage& stage, Points& points, Points& normals)
   {
-    const bool separated = m_parameters.formula == Anisotropic_formula::separated;
+    const bool separated = m_parameters.formula == Anisotropic_formula::SEPARATED;
     weigh_data();
     stage.update(0.1);
     if(!separated)
@@ -100,7 +109,7 @@ private:
   template <typename Visitor>
   void for_each_datum(const Vec3& q, const Visitor& visit) const
   {
-    if(m_parameters.formula == Anisotropic_formula::printed) {
+    if(m_parameters.formula == Anisotropic_formula::PRINTED) {
       for(std::size_t j = 0; j < m_data.size(); ++j)
         visit(j, Vec3(m_data[j] - q), 1.);
       return;
@@ -212,7 +221,7 @@ private:
   Vec3 repulsion(const Sorted_grid& grid, const Points& points, const Points& normals,
                  const std::vector<double>& weights, std::size_t i) const
   {
-    const bool separated = m_parameters.formula == Anisotropic_formula::separated;
+    const bool separated = m_parameters.formula == Anisotropic_formula::SEPARATED;
     Vec3 push = Vec3::Zero();
     double weight = 0;
     grid.for_each_neighbor_block(points[i], m_reach, [&](const Neighbor_block& block) {

@@ -13,6 +13,21 @@
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
+
+/*!
+\ingroup PkgPointSetConsolidation3Ref
+
+How `anisotropic_edge_aware_upsample_point_set()` projects a new point.
+*/
+enum class Upsampling_formula : unsigned char {
+  /// equation (6), with \f$n^T(s_i - b)\f$: with the sign as printed points move away from the surface
+  PRINTED,
+  /// distance weights beside those of (6), offsets along the mean of the two normals
+  WEIGHTED,
+  /// as `WEIGHTED`, and a base between two clusters goes onto the edge between their planes
+  EDGES
+};
+
 namespace internal {
 
 /// Feature-enhanced surfaces paper, section III.B: new points in the sparsest places, projected with the
@@ -22,19 +37,13 @@ namespace internal {
 /// Insertion goes in rounds: all bases are rated on the same set, then the best are taken as long as they
 /// do not crowd each other. So the result does not depend on threads, and a round is parallel.
 
-enum class Upsampling_formula : unsigned char {
-  printed,    ///< equation (6), with n (s_i - b): with the sign as printed points move away from the surface
-  weighted,   ///< theta beside sigma and phi, offsets along the neighbours' normals
-  edges       ///< as `weighted`, and a base between two clusters goes onto their edge
-};
-
 struct Upsampling_parameters {
-  Upsampling_formula formula = Upsampling_formula::edges;
+  Upsampling_formula formula = Upsampling_formula::WEIGHTED;
   bool oriented = false;
   std::size_t number_of_points = 0;
   double neighbor_radius = 3;    ///< bases lie between points at most so far apart
   double sharpness_angle = 25;   ///< alpha, degrees
-  double edge_sensitivity = 1;   ///< prefers bases between normals that differ
+  double edge_sensitivity = 0.5;   ///< prefers bases between normals that differ
   double plane_width = 1;        ///< sigma_p
 };
 
@@ -97,7 +106,7 @@ private:
   double clearance(const Nearest_table& table, std::size_t i, const Vec3& b) const
   {
     double least = line_distance(i, b);
-    for(std::size_t k = 0; k < (std::min)(rating_neighbors, table.width); ++k) {
+    for(std::size_t k = 0; k < (std::min)(rating_neighbors, table.k); ++k) {
       const Index j = table.row(i)[k];
       if(m_parameters.oriented && m_normals[i].dot(m_normals[j]) < -0.5)
         continue;  // the other side of a thin plate
@@ -114,7 +123,7 @@ private:
   Base best_base(const Nearest_table& table, std::size_t i) const
   {
     Base best;
-    for(std::size_t k = 0; k < (std::min)(rating_neighbors, table.width); ++k) {
+    for(std::size_t k = 0; k < (std::min)(rating_neighbors, table.k); ++k) {
       const Index j = table.row(i)[k];
       const double distance = (m_points[j] - m_points[i]).norm();
       if(distance > m_parameters.neighbor_radius)
@@ -172,7 +181,7 @@ private:
   double weight(const Vec3& n, const Vec3& offset, std::size_t j, double reach) const
   {
     const double t = n.dot(offset) / m_parameters.plane_width;
-    const double theta = m_parameters.formula == Upsampling_formula::printed
+    const double theta = m_parameters.formula == Upsampling_formula::PRINTED
                            ? 1 : std::exp(-2 * offset.squaredNorm() / reach);
     return std::exp(-t * t) * theta * m_phi(n, m_normals[j]);
   }
@@ -185,8 +194,9 @@ private:
   Projection projected(const Nearest_table& table, const Base& base, Index owner) const
   {
     const Vec3 b = place(base), n = m_normals[owner];
-    const double radius = (std::max)(table.radii[base.first], tiny_length);
-    const double reach = radius * radius;
+    const double reach = (std::max)(
+      tiny_length,
+      (m_points[table.row(base.first)[table.k - 1]] - m_points[base.first]).squaredNorm());
     Local_surface surface;
     double residual = 0;
     const auto add = [&](std::size_t j) {
@@ -194,7 +204,7 @@ private:
       const double w = weight(n, offset, j, reach);
       const double height = n.dot(offset);
       residual += w * height * height;
-      if(m_parameters.formula == Upsampling_formula::printed) {
+      if(m_parameters.formula == Upsampling_formula::PRINTED) {
         surface.step += w * height * n;  // equation (6)
         surface.normal += w * (n.dot(m_normals[j]) < 0 ? Vec3(-m_normals[j]) : m_normals[j]);
         surface.weight += w;
@@ -203,7 +213,7 @@ private:
         add_to_surface(surface, n, offset, m_normals[j], w);
     };
     add(base.first);
-    for(std::size_t k = 0; k < table.width; ++k)
+    for(std::size_t k = 0; k < table.k; ++k)
       add(table.row(base.first)[k]);
     if(!(surface.weight > tiny_length))
       return {b, n, residual};
@@ -220,7 +230,7 @@ private:
       best = other;
     point = best.point;
     normal = best.normal;
-    if(m_parameters.formula == Upsampling_formula::edges) {
+    if(m_parameters.formula == Upsampling_formula::EDGES) {
       const bool across = m_phi(m_normals[base.first], m_normals[base.second]) < 0.1;
       point = edges.returned_to_edge(point, normal, across ? edge_reach * base.clearance : 0);
     }

@@ -52,7 +52,7 @@ inline void project_on_clusters(const Execution& execution, Points& points, cons
                                 const Nearest_table& table, const Projection_parameters& parameters)
 {
   const Normal_similarity phi(parameters.sharpness_angle, parameters.oriented);
-  const std::size_t width = (std::min)(parameters.neighbors, table.width);
+  const std::size_t width = (std::min)(parameters.neighbors, table.k);
   Points next(points.size());
   for(std::size_t t = 0; t < parameters.iterations && width > 0; ++t) {
     parallel_for(execution, points.size(), [&](std::size_t i) {

@@ -10,7 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
-#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -26,36 +26,6 @@ namespace internal {
 /// The paper says only that clusters are distinguished. Done in two steps: a point takes the plane of that
 /// neighbourhood around it that does not straddle an edge, then normals are averaged over neighbours
 /// of the same cluster, weight phi of equation (5).
-
-/// The `width` nearest neighbours of each point in increasing distance, the point itself left out.
-struct Nearest_table {
-  std::size_t width = 0;
-  std::vector<Index> indices;
-  std::vector<double> radii;  ///< distance of the last neighbour
-
-  const Index* row(std::size_t i) const { return indices.data() + i * width; }
-};
-
-inline Nearest_table nearest_table(const Execution& execution, const Points& points,
-                                   std::size_t width)
-{
-  Nearest_table table;
-  table.width = points.empty() ? 0 : (std::min)(width, points.size() - 1);
-  table.indices.resize(points.size() * table.width);
-  table.radii.assign(points.size(), 0.);
-  const Nearest_neighbors tree(points);
-  parallel_for(execution, points.size(), [&](std::size_t i) {
-    std::vector<Neighbor> neighbors;
-    tree.find(points[i], table.width + 1, neighbors);
-    std::size_t slot = i * table.width;
-    for(const Neighbor& neighbor : neighbors)
-      if(neighbor.index != i && slot < (i + 1) * table.width) {
-        table.indices[slot++] = neighbor.index;
-        table.radii[i] = std::sqrt(neighbor.squared_distance);
-      }
-  });
-  return table;
-}
 
 struct Normal_parameters {
   bool oriented = false;            ///< the signs of given normals mean something
@@ -103,6 +73,15 @@ public:
 
   const Nearest_table& table() const { return m_table; }
 
+  /// Normals of the planes through the neighbours; across an edge they turn gradually.
+  Points plane_normals() const
+  {
+    Points normals(m_points.size());
+    parallel_for(m_execution, normals.size(),
+                 [&](std::size_t i) { normals[i] = fitted_plane(i).normal; });
+    return normals;
+  }
+
   /// Normals of planes that stay on one side of an edge. Signs as in `hints`, if there are any.
   Points separated_normals(const Points& hints) const
   {
@@ -113,7 +92,7 @@ public:
     std::vector<double> best(n);
     parallel_for(m_execution, n, [&](std::size_t i) {
       best[i] = planes[i].variance;
-      for(std::size_t k = 0; k < (std::min)(m_parameters.plane_neighbors, m_table.width); ++k)
+      for(std::size_t k = 0; k < (std::min)(m_parameters.plane_neighbors, m_table.k); ++k)
         best[i] = (std::min)(best[i], planes[m_table.row(i)[k]].variance);
     });
     const double noise = (std::max)(median(best), tiny_length);
@@ -135,7 +114,7 @@ public:
     Points next(normals.size());
     for(std::size_t t = 0; t < m_parameters.iterations; ++t) {
       parallel_for(m_execution, normals.size(), [&](std::size_t i) {
-        const std::size_t width = (std::min)(m_parameters.neighbors, m_table.width);
+        const std::size_t width = (std::min)(m_parameters.neighbors, m_table.k);
         Vec3 sum = normals[i];
         if(width > 0) {
           const Index* row = m_table.row(i);
@@ -165,7 +144,7 @@ private:
   {
     Covariance_sum sum;
     sum.add(Vec3::Zero());
-    for(std::size_t k = 0; k < (std::min)(m_parameters.plane_neighbors, m_table.width); ++k)
+    for(std::size_t k = 0; k < (std::min)(m_parameters.plane_neighbors, m_table.k); ++k)
       sum.add(m_points[m_table.row(i)[k]] - m_points[i]);
     const auto axes = sum.axes();
     return {m_points[i] + sum.mean(), axes.eigenvectors().col(0),
@@ -183,7 +162,7 @@ private:
     const double own = cost(i);
     std::size_t best = i;
     double best_cost = significant_gain * own;
-    for(std::size_t k = 0; k < (std::min)(m_parameters.plane_neighbors, m_table.width); ++k) {
+    for(std::size_t k = 0; k < (std::min)(m_parameters.plane_neighbors, m_table.k); ++k) {
       const std::size_t j = m_table.row(i)[k];
       const double c = cost(j);
       if(c < best_cost) {
@@ -200,6 +179,18 @@ private:
   Nearest_table m_table;
 };
 
+/// Oriented normals of points without any.
+inline Points estimated_normals(const Execution& execution, const Points& points)
+{
+  Normal_parameters parameters;
+  parameters.plane_neighbors = 18;  // thin parts keep their two sides, signs need no more precision
+  const Normal_optimization optimization(execution, points, parameters);
+  Points normals = optimization.plane_normals();
+  orient_by_propagation(points, normals, nearest_table(execution, points, 12));
+  return normals;
+}
+
+/// The paper's normal optimisation as a whole. Signs as in `hints`.
 inline Points optimized_normals(const Execution& execution, const Points& points,
                                 const Points& hints, const Normal_parameters& parameters)
 {
