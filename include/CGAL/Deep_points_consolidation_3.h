@@ -10,6 +10,7 @@
 
 #include <CGAL/Deep_point_3.h>
 #include <CGAL/Point_set_consolidation_3/internal/confidence.h>
+#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_skeleton.h>
 #include <CGAL/Point_set_consolidation_3/internal/scan_directions.h>
@@ -17,8 +18,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 #include <CGAL/Point_set_consolidation_3/parameters.h>
-
-#include <CGAL/number_type_config.h>
 
 namespace CGAL {
 
@@ -244,28 +243,9 @@ private:
     }
     m_input_parameters = read_input_parameters(function, np, m_points.size());
 
-    namespace names = Point_set_consolidation_3::internal_np;
-    Sinking_parameters& sinking = m_sinking_parameters;
-    sinking.smoothing_radius = positive(function, np, names::smoothing_radius, "smoothing_radius", 5);
-    sinking.collision_radius = positive(function, np, names::collision_radius, "collision_radius", 2);
-    const double omega = positive(function, np, names::collision_angle, "collision_angle", 45);
-    require(omega <= 170, function, "collision_angle must be at most 170 degrees");
-    sinking.collision_angle = omega * CGAL_PI / 180;
-    sinking.closing_step = parameter_or(np, names::closing_step, true);
-
-    Meso_skeleton_parameters& skeleton = m_skeleton_parameters;
-    skeleton.collision_radius = sinking.collision_radius;
-    skeleton.repulsion = not_negative(function, np, names::skeleton_repulsion, "skeleton_repulsion", 0.4);
-    skeleton.epsilon = positive(function, np, names::axis_epsilon, "axis_epsilon", 0.1);
-    require(skeleton.epsilon >= 0.01, function, "axis_epsilon must be at least 0.01");
-    skeleton.iterations = parameter_or(np, names::number_of_skeleton_iterations, std::size_t(10));
-
-    Surface_parameters& surface = m_surface_parameters;
-    surface.smoothing_radius = sinking.smoothing_radius;
-    surface.repulsion = not_negative(function, np, names::surface_repulsion, "surface_repulsion", 0.4);
-    surface.data_term = parameter_or(np, names::data_term, Data_term::FULL);
-    surface.prior = parameter_or(np, names::prior, Prior::VOLUME_PRESERVING);
-    surface.iterations = parameter_or(np, names::number_of_surface_iterations, std::size_t(60));
+    m_sinking_parameters = read_sinking_parameters(function, np);
+    m_skeleton_parameters = read_skeleton_parameters(function, np);
+    m_surface_parameters = read_surface_parameters(function, np);
   }
 
   Point_3 world(const Vec3& local) const

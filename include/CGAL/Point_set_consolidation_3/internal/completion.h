@@ -16,6 +16,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/sinking.h>
 #include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 
+#include <array>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -139,6 +141,8 @@ class Completion {
   static constexpr double largest_ball = 0.3;     ///< of the diagonal
   static constexpr double obstacle_distance = 2.5;  ///< in sp: nearer free space is the data's own
   static constexpr double most_nodes = 6e7;       ///< coarser grids beyond: 4 bytes a node
+  /// A node is inside if so many balls hold it: neighbouring balls overlap, so that one alone is too large.
+  static constexpr std::size_t agreeing_balls = 3;
 
 public:
   Completion(Execution& execution, const Consolidated_input& input, const Seen_part& seen,
@@ -243,27 +247,33 @@ private:
     return selected(far, thinned(far, 1.));
   }
 
-  /// Step 5, before smoothing: max(min_i(|x - b_i| - l_i), Phi(x)), clamped.
+  /// Step 5, before smoothing: max(|x - b_i| - l_i of the third nearest ball, Phi(x)), clamped.
   Scalar_grid union_of_balls(const Bounding_box& box, double step) const
   {
-    Scalar_grid solid(box, step, float(band));
+    Solids solids;
+    solids.fill(Scalar_grid(box, step, float(band)));
+    Scalar_grid& solid = solids.back();
     parallel_for(m_execution, std::size_t(solid.size(2)), [&](std::size_t plane) {
       const int z = int(plane);
       for(std::size_t i = 0; i < m_balls.centres.size(); ++i)
-        add_ball(solid, z, (m_balls.centres[i] - solid.origin()) / step, m_balls.radius[i]);
+        add_ball(solids, z, (m_balls.centres[i] - solid.origin()) / step, m_balls.radius[i]);
       if(!m_free_space.empty())
         for(int y = 0; y < solid.size(1); ++y) {
           Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z), solid.size(0));
           row = row.max(Eigen::Map<const Eigen::ArrayXf>(m_phi.row(y, z), solid.size(0)));
         }
     });
-    return solid;
+    return std::move(solid);
   }
 
+  /// Distances to the nearest, second nearest, ... ball.
+  typedef std::array<Scalar_grid, agreeing_balls> Solids;
+
   /// One plane of a ball; `centre` in grid units.
-  static void add_ball(Scalar_grid& solid, int z, const Vec3& centre, double radius)
+  static void add_ball(Solids& solids, int z, const Vec3& centre, double radius)
   {
-    const double step = solid.step();
+    const Scalar_grid& grid = solids.front();
+    const double step = grid.step();
     const double reach = (radius + band) / step;
     const double dz = z - centre.z();
     const double left = reach * reach - dz * dz;
@@ -271,19 +281,24 @@ private:
       return;
     const double half_y = std::sqrt(left);
     const int y0 = (std::max)(0, int(std::ceil(centre.y() - half_y)));
-    const int y1 = (std::min)(solid.size(1) - 1, int(std::floor(centre.y() + half_y)));
+    const int y1 = (std::min)(grid.size(1) - 1, int(std::floor(centre.y() + half_y)));
+    Eigen::ArrayXf distance, displaced;
     for(int y = y0; y <= y1; ++y) {
       const double dy = y - centre.y();
       const double half_x = std::sqrt((std::max)(0., left - dy * dy));
       const int x0 = (std::max)(0, int(std::ceil(centre.x() - half_x)));
-      const int x1 = (std::min)(solid.size(0) - 1, int(std::floor(centre.x() + half_x)));
+      const int x1 = (std::min)(grid.size(0) - 1, int(std::floor(centre.x() + half_x)));
       if(x1 < x0)
         continue;
-      Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z) + x0, x1 - x0 + 1);
-      const auto dx = Eigen::ArrayXf::LinSpaced(x1 - x0 + 1, float(x0 - centre.x()),
-                                                float(x1 - centre.x()));
-      row = row.min(((dx.square() + float(dy * dy + dz * dz)).sqrt() * float(step) - float(radius))
-                      .max(-float(band)));
+      distance.setLinSpaced(x1 - x0 + 1, float(x0 - centre.x()), float(x1 - centre.x()));
+      distance = ((distance.square() + float(dy * dy + dz * dz)).sqrt() * float(step) -
+                  float(radius)).max(-float(band));
+      for(Scalar_grid& solid : solids) {
+        Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z) + x0, x1 - x0 + 1);
+        displaced = row.max(distance);
+        row = row.min(distance);
+        distance.swap(displaced);
+      }
     }
   }
 
@@ -347,11 +362,6 @@ private:
     return completed;
   }
 
-  std::size_t nearest_ball(const Nearest_neighbors& centres, const Vec3& x) const
-  {
-    return centres.nearest(x).index;
-  }
-
   /// Step 7: the solid passes the data at G(c_j) != 0; completed points near the border follow it, so
   /// that there is no step.
   void correct_border(const Scalar_grid& solid, Completed_points& completed) const
@@ -378,7 +388,7 @@ private:
         }
         return true;
       });
-      const double ball = (std::max)(2., m_balls.radius[nearest_ball(centres, x)]);
+      const double ball = (std::max)(2., m_balls.radius[centres.nearest(x).index]);
       const double far = completed.distance[i] / (1.5 * ball);
       delta[i] = weight > 0 ? sum / weight / (1 + far * far) : 0;
     });
@@ -407,7 +417,7 @@ private:
     completed.is_clipped.resize(n);
     completed.is_unanchored.resize(n);
     parallel_for(m_execution, n, [&](std::size_t i) {
-      const std::size_t ball = nearest_ball(centres, completed.points[i]);
+      const std::size_t ball = centres.nearest(completed.points[i]).index;
       completed.inner[i] = m_balls.centres[ball];
       completed.is_clipped[i] = m_balls.is_clipped[ball];
       completed.is_unanchored[i] = char(m_sunk.anchoring[ball] == Anchoring::unanchored);
