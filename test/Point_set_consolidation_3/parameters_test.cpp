@@ -23,8 +23,7 @@ namespace psc = CGAL::Point_set_consolidation_3;
 namespace params = CGAL::Point_set_consolidation_3::parameters;
 
 // What a public function of the package looks like from the inside.
-struct Seen
-{
+struct Seen {
   double angle = 0;
   double radius = 0;
   unsigned int seed = 0;
@@ -48,14 +47,13 @@ Seen look_impl(const PointRange& points, const NP& np)
     seen.sum_of_x += CGAL::to_double(get(point_map, key).x());
   // The unwrapped pack goes to CGAL's functions as it is.
   seen.spacing
-    = CGAL::to_double(CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, 3, np));
+      = CGAL::to_double(CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, 3, np));
   return seen;
 }
 
 template <typename PointRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Seen look(const PointRange& points,
-          const NamedParameters& np = CGAL::parameters::default_values())
+Seen look(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
 {
   return look_impl(points, psc::internal::cgal_np(np));
 }
@@ -99,45 +97,54 @@ void test_ranges()
   // Only CGAL's parameters, from CGAL and from us.
   check(look(points, CGAL::parameters::neighbor_radius(2.).random_seed(7)), 45, 2, 7, false);
   check(look(points, params::neighbor_radius(2.).random_seed(7)), 45, 2, 7, false);
-  check(look(pairs, CGAL::parameters::point_map(point_map).normal_map(normal_map)),
-        45, -1, 0, true);
+  check(look(pairs, CGAL::parameters::point_map(point_map).normal_map(normal_map)), 45, -1, 0,
+        true);
   check(look(set, set.parameters()), 45, -1, 0, true);
 
   // Ours first, in the middle, last; the type of the argument need not be the parameter's.
   check(look(points, params::collision_angle(30)), 30, -1, 0, false);
-  check(look(pairs, params::collision_angle(30).point_map(point_map).random_seed(7)),
-        30, -1, 7, false);
-  check(look(pairs, params::point_map(point_map).collision_angle(30.f).normal_map(normal_map)
-                          .neighbor_radius(2)),
+  check(look(pairs, params::collision_angle(30).point_map(point_map).random_seed(7)), 30, -1, 7,
+        false);
+  check(look(pairs, params::point_map(point_map)
+                        .collision_angle(30.f)
+                        .normal_map(normal_map)
+                        .neighbor_radius(2)),
         30, 2, 0, true);
-  check(look(pairs, params::point_map(point_map).normal_map(normal_map).prior_map(0)
-                          .collision_angle(30)),
+  check(look(pairs,
+             params::point_map(point_map).normal_map(normal_map).prior_map(0).collision_angle(30)),
         30, -1, 0, true);
 
   // A pack of CGAL continued with ours and then with CGAL's again.
-  check(look(set, params::from(set.parameters()).collision_angle(30).random_seed(7)),
-        30, -1, 7, true);
-  check(look(pairs, params::from(CGAL::parameters::point_map(point_map)).collision_angle(30)
-                          .neighbor_radius(2)),
+  check(look(set, params::from(set.parameters()).collision_angle(30).random_seed(7)), 30, -1, 7,
+        true);
+  check(look(pairs, params::from(CGAL::parameters::point_map(point_map))
+                        .collision_angle(30)
+                        .neighbor_radius(2)),
         30, 2, 0, false);
-  check(look(points, params::default_values().collision_angle(30).geom_traits(Kernel())),
-        30, -1, 0, false);
+  check(look(points, params::default_values().collision_angle(30).geom_traits(Kernel())), 30, -1, 0,
+        false);
 }
 
 // The arguments that are not numbers: functions, references, objects that cannot be copied.
 void test_kinds_of_argument()
 {
   int calls = 0;
-  const std::function<bool(double)> function = [&calls](double) { ++calls; return true; };
+  const std::function<bool(double)> function = [&calls](double) {
+    ++calls;
+    return true;
+  };
   const auto with_function = params::callback(function).verbose(true);
-  const auto with_lambda = params::callback([&calls](double) { ++calls; return true; });
+  const auto with_lambda = params::callback([&calls](double) {
+    ++calls;
+    return true;
+  });
   using Callback = std::function<bool(double)>;
   const Callback from_function = psc::internal::parameter_or(
-    with_function.cgal_parameters(), psc::internal_np::callback, Callback());
-  const Callback from_lambda = psc::internal::parameter_or(
-    with_lambda.cgal_parameters(), psc::internal_np::callback, Callback());
-  const Callback absent = psc::internal::parameter_or(
-    CGAL::parameters::default_values(), psc::internal_np::callback, Callback());
+      with_function.cgal_parameters(), psc::internal_np::callback, Callback());
+  const Callback from_lambda = psc::internal::parameter_or(with_lambda.cgal_parameters(),
+                                                           psc::internal_np::callback, Callback());
+  const Callback absent = psc::internal::parameter_or(CGAL::parameters::default_values(),
+                                                      psc::internal_np::callback, Callback());
   from_function(0.5);
   from_lambda(0.5);
   assert(calls == 2);
@@ -147,13 +154,13 @@ void test_kinds_of_argument()
   const auto with_reference = params::stage_times(std::ref(names));
   CGAL::parameters::get_parameter_reference(with_reference.cgal_parameters(),
                                             psc::internal_np::stage_times)
-    .push_back("sinking");
+      .push_back("sinking");
   assert(names.size() == 1);
 
   const std::unique_ptr<int> not_copyable(new int(3));
   const auto with_unique = params::random_seed(1).visitor(not_copyable);
   const std::unique_ptr<int>& seen = CGAL::parameters::get_parameter_reference(
-    with_unique.cgal_parameters(), psc::internal_np::visitor);
+      with_unique.cgal_parameters(), psc::internal_np::visitor);
   assert(seen.get() == not_copyable.get());
 }
 
@@ -163,19 +170,21 @@ void test_tags()
   static_assert(std::is_same_v<psc::internal_np::point_t, CGAL::internal_np::point_t>);
   const auto ours = params::number_of_iterations(3).select_percentage(20.);
   assert(CGAL::parameters::get_parameter(ours.cgal_parameters(),
-                                         CGAL::internal_np::number_of_iterations) == 3);
-  assert(CGAL::parameters::get_parameter(ours.cgal_parameters(),
-                                         CGAL::internal_np::select_percentage) == 20.);
+                                         CGAL::internal_np::number_of_iterations)
+         == 3);
+  assert(
+      CGAL::parameters::get_parameter(ours.cgal_parameters(), CGAL::internal_np::select_percentage)
+      == 20.);
   static_assert(std::is_same_v<psc::internal::Cgal_np<decltype(ours)>,
-                               std::decay_t<decltype(ours.cgal_parameters())> >);
+                               std::decay_t<decltype(ours.cgal_parameters())>>);
 }
 
 int main()
 {
   static_assert(CGAL_POINT_SET_CONSOLIDATION_3_VERSION_NR
                 >= CGAL_POINT_SET_CONSOLIDATION_3_VERSION_NUMBER(0, 1, 0));
-  test_ranges<CGAL::Simple_cartesian<double> >();
-  test_ranges<CGAL::Simple_cartesian<float> >();
+  test_ranges<CGAL::Simple_cartesian<double>>();
+  test_ranges<CGAL::Simple_cartesian<float>>();
   test_ranges<CGAL::Exact_predicates_inexact_constructions_kernel>();
   test_kinds_of_argument();
   test_tags();

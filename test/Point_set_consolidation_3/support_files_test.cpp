@@ -30,8 +30,7 @@ namespace {
 
 /// A folder that is empty at the start and gone at the end.
 struct Folder {
-  fs::path path
-      = fs::temp_directory_path() / ("support_files_test_" + std::to_string(::getpid()));
+  fs::path path = fs::temp_directory_path() / ("support_files_test_" + std::to_string(::getpid()));
   Folder() { fs::create_directory(path); }
   ~Folder() { fs::remove_all(path); }
   std::string file(const std::string& name) const { return (path / name).string(); }
@@ -164,11 +163,12 @@ void test_ply_points(const Folder& folder)
 {
   // Text, other elements before and after, lists, and other properties.
   const Point_cloud text = read_point_cloud(folder.file(
-      "a.ply", ply_header("ascii", "comment element vertex 9\nelement camera 1\nproperty int id\n"
-                                   "element vertex 2\nproperty uchar red\n"
-                                       + xyz_floats
-                                       + "property float quality\nelement face 1\n"
-                                         "property list uchar int vertex_indices\n")
+      "a.ply", ply_header("ascii",
+                          "comment element vertex 9\nelement camera 1\nproperty int id\n"
+                          "element vertex 2\nproperty uchar red\n"
+                              + xyz_floats
+                              + "property float quality\nelement face 1\n"
+                                "property list uchar int vertex_indices\n")
                    + "7\n255 1 2 3 .5\n0 4 5 6 .5\n3 0 1 0\n"));
   assert(text.points[0] == Vec3(1, 2, 3) && text.points[1] == Vec3(4, 5, 6));
   assert(text.normals.empty());
@@ -179,11 +179,11 @@ void test_ply_points(const Folder& folder)
   assert(read_point_cloud(folder.file("a.ply", big)).points[0] == Vec3(1, 2, -3));
 
   // Directions of any length, and those that say nothing.
-  const Point_cloud directions = read_point_cloud(folder.file(
-      "a.ply", ply_header("ascii", "element vertex 3\n" + xyz_floats
-                                       + "property float vx\nproperty float vy\n"
-                                         "property float vz\nproperty uchar view\n")
-                   + "1 2 3 0 0 5 2\n1 2 4 0 0 0 0\n1 2 5 nan 0 0 1\n"));
+  const Point_cloud directions = read_point_cloud(
+      folder.file("a.ply", ply_header("ascii", "element vertex 3\n" + xyz_floats
+                                                   + "property float vx\nproperty float vy\n"
+                                                     "property float vz\nproperty uchar view\n")
+                               + "1 2 3 0 0 5 2\n1 2 4 0 0 0 0\n1 2 5 nan 0 0 1\n"));
   assert(directions.directions[0] == Vec3(0, 0, 1));
   assert(directions.directions[1] == Vec3::Zero() && directions.directions[2] == Vec3::Zero());
   assert((directions.views == std::vector<int>{2, 0, 1}));
@@ -225,8 +225,7 @@ std::string las_file(int minor_version, std::uint32_t points, std::uint32_t poin
 void test_las_points(const Folder& folder)
 {
   for(const int minor_version : {0, 2, 4}) {
-    const Point_cloud cloud
-        = read_point_cloud(folder.file("a.las", las_file(minor_version, 3, 3)));
+    const Point_cloud cloud = read_point_cloud(folder.file("a.las", las_file(minor_version, 3, 3)));
     assert(cloud.size() == 3);
     assert((cloud.points[2] - Vec3(-2, 998, 1998)).norm() < 1e-9);
   }
@@ -269,8 +268,10 @@ void test_broken_points(const Folder& folder)
   // truncated, or a header that lies
   check_points_refused(folder.file("t.xyz", "0 0 0\n1 2"), "line 2: expected the three");
   check_points_refused(folder.file("t1.xyz", "0 0 0 0 0\n"), "line 1");
-  check_points_refused(folder.file("t2.xyz", "3\n0 0 0\n1 2 3\n"), "says 3 points, the file holds 2");
-  check_points_refused(folder.file("t3.xyz", "1\n0 0 0\n1 2 3\n"), "says 1 points, the file holds 2");
+  check_points_refused(folder.file("t2.xyz", "3\n0 0 0\n1 2 3\n"),
+                       "says 3 points, the file holds 2");
+  check_points_refused(folder.file("t3.xyz", "1\n0 0 0\n1 2 3\n"),
+                       "says 1 points, the file holds 2");
   check_points_refused(folder.file("t.off", "OFF\n3 0 0\n0 0 0\n1 2 3\n"), "the file holds 2");
   check_points_refused(folder.file("t1.off", "OFF\n1 0 0\n0 0 0\n1 2 3\n"), "more vertices");
   check_points_refused(folder.file("t2.off", "OFF\n"), "truncated");
@@ -323,8 +324,9 @@ void test_broken_points(const Folder& folder)
   Point_cloud cloud = some_cloud();
   cloud.points[7][2] = std::numeric_limits<double>::quiet_NaN();
   write_point_cloud(folder.file("f.ply"), cloud);
-  check_points_refused(folder.file("f.ply"), "1 point has coordinates that are not finite, the first "
-                                             "is number 7");
+  check_points_refused(folder.file("f.ply"),
+                       "1 point has coordinates that are not finite, the first "
+                       "is number 7");
 }
 
 // ---- meshes and graphs ----
@@ -343,9 +345,10 @@ double volume(const Triangle_mesh& mesh)
   for(const auto& [a, b, c] : mesh.faces) {
     Eigen::Matrix3d corners;
     corners << mesh.vertices[a], mesh.vertices[b], mesh.vertices[c];
-    six_volumes += corners(0, 0) * (corners(1, 1) * corners(2, 2) - corners(1, 2) * corners(2, 1))
-                   - corners(0, 1) * (corners(1, 0) * corners(2, 2) - corners(1, 2) * corners(2, 0))
-                   + corners(0, 2) * (corners(1, 0) * corners(2, 1) - corners(1, 1) * corners(2, 0));
+    six_volumes
+        += corners(0, 0) * (corners(1, 1) * corners(2, 2) - corners(1, 2) * corners(2, 1))
+           - corners(0, 1) * (corners(1, 0) * corners(2, 2) - corners(1, 2) * corners(2, 0))
+           + corners(0, 2) * (corners(1, 0) * corners(2, 1) - corners(1, 1) * corners(2, 0));
   }
   return six_volumes / 6;
 }
@@ -383,9 +386,9 @@ void test_meshes(const Folder& folder)
                                                                     "uchar int vertex_indices\n")
                                               + "0 0 0\n3 0 1 2\n"),
                      "does not exist");
-  check_mesh_refused(folder.file("e1.ply", ply_header("ascii", "element vertex 1\n" + xyz_floats)
-                                               + "0 0 0\n"),
-                     "'face'");
+  check_mesh_refused(
+      folder.file("e1.ply", ply_header("ascii", "element vertex 1\n" + xyz_floats) + "0 0 0\n"),
+      "'face'");
   const std::string stl = read_file(folder.file("m.stl"));
   check_mesh_refused(folder.file("e.stl", stl.substr(0, stl.size() - 1)), "says 4 triangles");
 }
@@ -504,9 +507,11 @@ void test_command_line()
     assert(help.find(text) != help.npos);
 
   Options given;
-  assert(given.parse({"--omega", "30", "-q", "--scanner", "-1", "0", "2.5", "--count=-7", "in.ply",
-                      "--particles", "20", "--percentage=0.5", "--method", "deep-points",
-                      "--scanner", "1", "2", "3", "--name", "a", "--name", "--b"}));
+  assert(
+      given.parse({"--omega",  "30",          "-q",        "--scanner",   "-1", "0",
+                   "2.5",      "--count=-7",  "in.ply",    "--particles", "20", "--percentage=0.5",
+                   "--method", "deep-points", "--scanner", "1",           "2",  "3",
+                   "--name",   "a",           "--name",    "--b"}));
   assert(given.omega == 30 && given.is_quiet && given.count == -7 && given.particles == 20);
   assert(*given.percentage == 0.5 && given.method == "deep-points" && given.input == "in.ply");
   assert(given.scanners.size() == 2 && given.scanners[0] == Vec3(-1, 0, 2.5));

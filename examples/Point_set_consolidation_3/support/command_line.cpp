@@ -163,8 +163,7 @@ const std::string& Command_line::Option::checked_word(const std::string& word) c
 
 Command_line::Command_line(const std::string& program, const std::string& purpose)
   : m_program(program), m_purpose(purpose)
-{
-}
+{}
 
 Command_line::Option& Command_line::add(const std::string& names, const std::string& value_names,
                                         const std::string& help)
@@ -318,8 +317,7 @@ int run_program(const std::string& name, const std::function<void()>& body) noex
 
 Progress_bar::Progress_bar(const std::string& label, bool is_quiet)
   : m_label(label), m_is_shown(!is_quiet && ::isatty(STDERR_FILENO))
-{
-}
+{}
 
 Progress_bar::~Progress_bar()
 {
@@ -353,8 +351,7 @@ bool Progress_bar::operator()(double fraction)
 struct Thread_limit::Control {
   explicit Control(std::size_t number_of_threads)
     : control(tbb::global_control::max_allowed_parallelism, number_of_threads)
-  {
-  }
+  {}
   tbb::global_control control;
 };
 

@@ -64,8 +64,8 @@ public:
     const std::string& checked_word(const std::string& word) const;
     [[noreturn]] void error(const std::string& message) const;
 
-    Words names;         // the long name last; the name of a positional argument
-    Words value_names;   // one for each word of the value
+    Words names;        // the long name last; the name of a positional argument
+    Words value_names;  // one for each word of the value
     std::string help;
     std::string default_text;
     bool is_repeatable = false;
@@ -114,7 +114,7 @@ private:
   template <typename T>
   struct Is_vector : std::false_type {};
   template <typename T>
-  struct Is_vector<std::vector<T> > : std::true_type {};
+  struct Is_vector<std::vector<T>> : std::true_type {};
 
   template <typename T>
   static void assign(T& value, const Option& option, const Words& words)
@@ -122,9 +122,9 @@ private:
     if constexpr(std::is_floating_point_v<T>)
       value = static_cast<T>(option.number(words[0]));
     else if constexpr(std::is_integral_v<T>)
-      value = static_cast<T>(option.whole_number(words[0],
-                                                 static_cast<double>(std::numeric_limits<T>::min()),
-                                                 static_cast<double>(std::numeric_limits<T>::max())));
+      value = static_cast<T>(
+          option.whole_number(words[0], static_cast<double>(std::numeric_limits<T>::min()),
+                              static_cast<double>(std::numeric_limits<T>::max())));
     else
       value = T(option.checked_word(words[0]));
   }

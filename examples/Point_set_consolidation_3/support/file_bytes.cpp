@@ -117,8 +117,9 @@ void check_extension(const std::string& file, std::initializer_list<const char*>
       return;
     list += (list.empty() ? "" : " ") + std::string(one);
   }
-  file_error(file, (given.empty() ? std::string("has no extension")
-                                  : "has the unknown extension " + given) + " (known: " + list + ")");
+  file_error(
+      file, (given.empty() ? std::string("has no extension") : "has the unknown extension " + given)
+                + " (known: " + list + ")");
 }
 
 void check_folder(const std::string& file)
@@ -185,8 +186,8 @@ bool Text_scanner::number(double& value)
 std::string_view Text_scanner::word()
 {
   skip_blanks(m_line);
-  const std::size_t length
-      = static_cast<std::size_t>(std::find_if(m_line.begin(), m_line.end(), is_blank) - m_line.begin());
+  const std::size_t length = static_cast<std::size_t>(
+      std::find_if(m_line.begin(), m_line.end(), is_blank) - m_line.begin());
   const std::string_view result = m_line.substr(0, length);
   m_line.remove_prefix(length);
   return result;

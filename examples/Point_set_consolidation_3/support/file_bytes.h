@@ -46,7 +46,7 @@ public:
   /// Goes to the next line that is neither empty nor a comment; false at the end.
   bool next_line();
 
-  std::string_view line() const { return m_line; }  ///< what is left of the current line
+  std::string_view line() const { return m_line; }           ///< what is left of the current line
   std::size_t line_number() const { return m_line_number; }  ///< from 1
 
   /// The next number of the current line; false if the line is at its end or goes on with

@@ -24,7 +24,7 @@ public:
   Json(const std::string& text);
 
   /// Numbers that are not finite, which JSON does not know, become null.
-  template <typename T, typename = std::enable_if_t<std::is_arithmetic_v<T> > >
+  template <typename T, typename = std::enable_if_t<std::is_arithmetic_v<T>>>
   Json(T value)
   {
     if constexpr(std::is_same_v<T, bool>)
@@ -61,7 +61,7 @@ private:
 
   Kind m_kind = Kind::scalar;
   std::string m_text = "null";
-  std::vector<std::pair<std::string, Json> > m_members;  // the names of an array's are empty
+  std::vector<std::pair<std::string, Json>> m_members;  // the names of an array's are empty
 };
 
 /// See `write_file()`. \throws File_error

@@ -90,7 +90,8 @@ Triangle_mesh read_obj_mesh(const std::string& file)
         Text_scanner corner_scanner(corner.substr(0, corner.find('/')));
         const double count = static_cast<double>(mesh.vertices.size());
         double index = 0;
-        if(!corner_scanner.next_line() || !corner_scanner.number(index) || index != std::floor(index))
+        if(!corner_scanner.next_line() || !corner_scanner.number(index)
+           || index != std::floor(index))
           expected("the vertices of a face");
         index += index < 0 ? count : -1;
         if(!(index >= 0 && index < count))
@@ -150,8 +151,9 @@ std::uint32_t stl_count(const std::string& bytes)
 
 void read_binary_stl(const std::string& file, const std::string& bytes, Stl_vertices& vertices)
 {
-  const std::size_t available
-      = bytes.size() < stl_header_size + 4 ? 0 : (bytes.size() - stl_header_size - 4) / stl_facet_size;
+  const std::size_t available = bytes.size() < stl_header_size + 4
+                                    ? 0
+                                    : (bytes.size() - stl_header_size - 4) / stl_facet_size;
   if(available == 0)
     file_error(file, "is not an STL file");
   const std::size_t count = stl_count(bytes);
@@ -195,8 +197,8 @@ Triangle_mesh read_stl_mesh(const std::string& file)
   const std::string bytes = read_file(file);
   Triangle_mesh mesh;
   Stl_vertices vertices(mesh);
-  const bool is_text = bytes.compare(0, 5, "solid") == 0
-                       && bytes.substr(0, 1024).find('\0') == std::string::npos;
+  const bool is_text
+      = bytes.compare(0, 5, "solid") == 0 && bytes.substr(0, 1024).find('\0') == std::string::npos;
   if(is_text)
     read_text_stl(file, bytes, vertices);
   else
@@ -327,7 +329,6 @@ void write_mesh(const std::string& file, const Triangle_mesh& mesh)
 }
 
 // ---- graphs: vertices with edges ----
-
 
 Segment_graph read_segment_graph(const std::string& file)
 {

@@ -69,14 +69,14 @@ void bytes_of(double value, char* bytes)
 double decode(Ply_type type, const char* bytes)
 {
   switch(type) {
-  case Ply_type::int8: return value_of<std::int8_t>(bytes);
-  case Ply_type::uint8: return value_of<std::uint8_t>(bytes);
-  case Ply_type::int16: return value_of<std::int16_t>(bytes);
-  case Ply_type::uint16: return value_of<std::uint16_t>(bytes);
-  case Ply_type::int32: return value_of<std::int32_t>(bytes);
-  case Ply_type::uint32: return value_of<std::uint32_t>(bytes);
-  case Ply_type::float32: return value_of<float>(bytes);
-  case Ply_type::float64: break;
+    case Ply_type::int8: return value_of<std::int8_t>(bytes);
+    case Ply_type::uint8: return value_of<std::uint8_t>(bytes);
+    case Ply_type::int16: return value_of<std::int16_t>(bytes);
+    case Ply_type::uint16: return value_of<std::uint16_t>(bytes);
+    case Ply_type::int32: return value_of<std::int32_t>(bytes);
+    case Ply_type::uint32: return value_of<std::uint32_t>(bytes);
+    case Ply_type::float32: return value_of<float>(bytes);
+    case Ply_type::float64: break;
   }
   return value_of<double>(bytes);
 }
@@ -84,20 +84,21 @@ double decode(Ply_type type, const char* bytes)
 void encode(Ply_type type, double value, char* bytes)
 {
   switch(type) {
-  case Ply_type::int8: return bytes_of<std::int8_t>(value, bytes);
-  case Ply_type::uint8: return bytes_of<std::uint8_t>(value, bytes);
-  case Ply_type::int16: return bytes_of<std::int16_t>(value, bytes);
-  case Ply_type::uint16: return bytes_of<std::uint16_t>(value, bytes);
-  case Ply_type::int32: return bytes_of<std::int32_t>(value, bytes);
-  case Ply_type::uint32: return bytes_of<std::uint32_t>(value, bytes);
-  case Ply_type::float32: return bytes_of<float>(value, bytes);
-  case Ply_type::float64: return bytes_of<double>(value, bytes);
+    case Ply_type::int8: return bytes_of<std::int8_t>(value, bytes);
+    case Ply_type::uint8: return bytes_of<std::uint8_t>(value, bytes);
+    case Ply_type::int16: return bytes_of<std::int16_t>(value, bytes);
+    case Ply_type::uint16: return bytes_of<std::uint16_t>(value, bytes);
+    case Ply_type::int32: return bytes_of<std::int32_t>(value, bytes);
+    case Ply_type::uint32: return bytes_of<std::uint32_t>(value, bytes);
+    case Ply_type::float32: return bytes_of<float>(value, bytes);
+    case Ply_type::float64: return bytes_of<double>(value, bytes);
   }
 }
 
 class Reader {
 public:
-  explicit Reader(const std::string& file) : m_file(file), m_bytes(read_file(file)), m_rest(m_bytes) {}
+  explicit Reader(const std::string& file) : m_file(file), m_bytes(read_file(file)), m_rest(m_bytes)
+  {}
 
   Ply_file read()
   {
@@ -129,7 +130,8 @@ private:
 
   [[noreturn]] void header_error() const
   {
-    file_error(m_file, "line " + std::to_string(m_line_number) + " of the PLY header is not understood");
+    file_error(m_file,
+               "line " + std::to_string(m_line_number) + " of the PLY header is not understood");
   }
 
   Ply_type type(std::string_view word) const
@@ -219,8 +221,9 @@ private:
 
   [[noreturn]] void truncated(const Ply_element& element, std::size_t at_most) const
   {
-    file_error(m_file, "is truncated: the header says " + std::to_string(element.count) + " items of '"
-                           + element.name + "', the file holds at most " + std::to_string(at_most));
+    file_error(m_file, "is truncated: the header says " + std::to_string(element.count)
+                           + " items of '" + element.name + "', the file holds at most "
+                           + std::to_string(at_most));
   }
 
   void read_items(Ply_element& element)
@@ -242,12 +245,14 @@ private:
       }
   }
 
-  std::size_t read_list_length(const Ply_property& property, const Ply_element& element, std::size_t item)
+  std::size_t read_list_length(const Ply_property& property, const Ply_element& element,
+                               std::size_t item)
   {
     const double length = read_number(property.size_type, element, item);
     if(!(length >= 0 && length <= static_cast<double>(m_bytes.size())))
-      file_error(m_file, "item " + std::to_string(item) + " of '" + element.name + "' has a list of "
-                             + std::to_string(static_cast<long long>(length)) + " values");
+      file_error(m_file, "item " + std::to_string(item) + " of '" + element.name
+                             + "' has a list of " + std::to_string(static_cast<long long>(length))
+                             + " values");
     return static_cast<std::size_t>(length);
   }
 
@@ -383,9 +388,8 @@ void write_ply(const std::string& file, const Ply_file& ply)
 
 bool has_vectors(const Ply_element& element, const Vector_names& names)
 {
-  return std::all_of(names.begin(), names.end(), [&](const char* name) {
-    return element.find_number(name) != nullptr;
-  });
+  return std::all_of(names.begin(), names.end(),
+                     [&](const char* name) { return element.find_number(name) != nullptr; });
 }
 
 std::vector<Vec3> read_vectors(const Ply_element& element, const Vector_names& names)

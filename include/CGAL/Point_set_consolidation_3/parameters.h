@@ -36,6 +36,7 @@
 /// \cond SKIP_IN_MANUAL
 
 // To add a parameter, add one line to one of the two lists.
+// clang-format off
 
 // CGAL's own parameters: X(tag type in CGAL::internal_np, name).
 #define CGAL_PSC3_CGAL_PARAMETERS(X)                       \
@@ -145,6 +146,7 @@
   X(upsampling_factor)                                                                  \
   /* observation */                                                                     \
   X(stage_times)             /* seconds and iterations of each stage */
+// clang-format on
 
 /// \endcond
 
@@ -163,8 +165,7 @@ namespace internal_np {
 CGAL_PSC3_CGAL_PARAMETERS(CGAL_PSC3_CGAL_TAG)
 #undef CGAL_PSC3_CGAL_TAG
 
-#define CGAL_PSC3_OWN_TAG(NAME) \
-  enum NAME##_t { NAME };
+#define CGAL_PSC3_OWN_TAG(NAME) enum NAME##_t { NAME };
 CGAL_PSC3_OWN_PARAMETERS(CGAL_PSC3_OWN_TAG)
 #undef CGAL_PSC3_OWN_TAG
 
@@ -174,12 +175,11 @@ CGAL_PSC3_OWN_PARAMETERS(CGAL_PSC3_OWN_TAG)
 
 /// A CGAL pack of named parameters `NP` that can be chained with the names of this package.
 template <typename NP>
-class Named_parameters
-{
+class Named_parameters {
   NP m_np;
 
   template <typename K, typename Tag>
-  using Extended = Named_parameters<CGAL::Named_function_parameters<K, Tag, NP> >;
+  using Extended = Named_parameters<CGAL::Named_function_parameters<K, Tag, NP>>;
 
 public:
   explicit Named_parameters(const NP& np) : m_np(np) {}
@@ -188,12 +188,12 @@ public:
   const NP& cgal_parameters() const { return m_np; }
 
   /// \cond SKIP_IN_MANUAL
-#define CGAL_PSC3_SETTER(TAG, NAME)                                                  \
-  template <typename K>                                                              \
-  Extended<K, internal_np::TAG> NAME(const K& k) const                               \
-  {                                                                                  \
-    return Extended<K, internal_np::TAG>(                                            \
-        CGAL::Named_function_parameters<K, internal_np::TAG, NP>(k, m_np));          \
+#define CGAL_PSC3_SETTER(TAG, NAME)                                         \
+  template <typename K>                                                     \
+  Extended<K, internal_np::TAG> NAME(const K& k) const                      \
+  {                                                                         \
+    return Extended<K, internal_np::TAG>(                                   \
+        CGAL::Named_function_parameters<K, internal_np::TAG, NP>(k, m_np)); \
   }
 #define CGAL_PSC3_OWN_SETTER(NAME) CGAL_PSC3_SETTER(NAME##_t, NAME)
   CGAL_PSC3_CGAL_PARAMETERS(CGAL_PSC3_SETTER)
@@ -214,19 +214,18 @@ inline Named_parameters<CGAL::parameters::Default_named_parameters> default_valu
 
 /// Continues a pack of CGAL with the names of this package.
 template <typename T, typename Tag, typename Base>
-Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >
-from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+Named_parameters<CGAL::Named_function_parameters<T, Tag, Base>> from(
+    const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >(np);
+  return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base>>(np);
 }
 
 /// \cond SKIP_IN_MANUAL
-#define CGAL_PSC3_FREE_SETTER(TAG, NAME)                                             \
-  template <typename K>                                                              \
-  Named_parameters<CGAL::Named_function_parameters<K, internal_np::TAG> >            \
-  NAME(const K& k)                                                                   \
-  {                                                                                  \
-    return from(CGAL::Named_function_parameters<K, internal_np::TAG>(k));            \
+#define CGAL_PSC3_FREE_SETTER(TAG, NAME)                                                  \
+  template <typename K>                                                                   \
+  Named_parameters<CGAL::Named_function_parameters<K, internal_np::TAG>> NAME(const K& k) \
+  {                                                                                       \
+    return from(CGAL::Named_function_parameters<K, internal_np::TAG>(k));                 \
   }
 #define CGAL_PSC3_OWN_FREE_SETTER(NAME) CGAL_PSC3_FREE_SETTER(NAME##_t, NAME)
 CGAL_PSC3_CGAL_PARAMETERS(CGAL_PSC3_FREE_SETTER)
@@ -243,8 +242,8 @@ namespace internal {
 // Public functions call this once on their pack; from there on it is a pack of CGAL, which
 // CGAL's own functions and traits take as it is.
 template <typename T, typename Tag, typename Base>
-const CGAL::Named_function_parameters<T, Tag, Base>&
-cgal_np(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+const CGAL::Named_function_parameters<T, Tag, Base>& cgal_np(
+    const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
   return np;
 }
@@ -261,8 +260,7 @@ using Cgal_np = std::decay_t<decltype(cgal_np(std::declval<const NamedParameters
 
 // Whether a pack of CGAL holds the parameter with the given tag type.
 template <typename NP, typename Tag>
-inline constexpr bool has_parameter
-  = !CGAL::parameters::is_default_parameter<NP, Tag>::value;
+inline constexpr bool has_parameter = !CGAL::parameters::is_default_parameter<NP, Tag>::value;
 
 // The value of a parameter converted to `T`, or `fallback` when the pack does not hold it.
 // It is a copy always: `choose_parameter()` refers to a temporary of `get_parameter()`, which

@@ -35,7 +35,7 @@ int main(int argc, char** argv)
       points.emplace_back(std::cos(angle), std::sin(angle), i * 0.08);
     }
 
-  std::vector<CGAL::Deep_point_3<Kernel> > deep_points;
+  std::vector<CGAL::Deep_point_3<Kernel>> deep_points;
   CGAL::deep_points_consolidate_point_set<CGAL::Parallel_if_available_tag>(
       points, std::back_inserter(deep_points),
       params::number_of_output_points(600).number_of_surface_iterations(20));
