@@ -1,0 +1,175 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+#include "json.h"
+#include "point_file.h"
+#include "poisson_mesh.h"
+
+#include <CGAL/skeleton_driven_surface_reconstruction.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace params = CGAL::Point_set_consolidation_3::parameters;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Concurrency_tag = CGAL::Parallel_if_available_tag;
+using Stage_times = std::vector<CGAL::Point_set_consolidation_3::internal::Stage_time>;
+
+struct Options {
+  std::string input, output, method = "poisson", skeleton, json;
+  bool quiet = false;
+  std::size_t threads = 0;
+  // poisson
+  support::Poisson_options poisson;
+  // skeleton-driven
+  std::size_t resolution = 64;
+  bool is_regular = false;
+  double smoothness_weight = 1, surface_weight = 50, skeleton_weight = 0.5, outside_weight = 0.005;
+  double outside_factor = 4;
+};
+
+struct Run {
+  const Options& options;
+  support::Progress_bar& progress;
+  Stage_times times = {};
+  std::size_t number_of_points = 0;
+};
+
+support::Triangle_mesh poisson(Run& run)
+{
+  const support::Point_cloud cloud = support::read_point_cloud(run.options.input);
+  run.number_of_points = cloud.size();
+  if(cloud.normals.empty())
+    throw support::File_error(run.options.input + ": method poisson needs normals");
+  return support::poisson_mesh(cloud.points, cloud.normals, run.options.poisson);
+}
+
+support::Triangle_mesh skeleton_driven(Run& run)
+{
+  const Options& options = run.options;
+  if(options.skeleton.empty())
+    throw support::Usage_error("method skeleton-driven needs --skeleton");
+  const support::Point_cloud cloud = support::read_point_cloud(options.input);
+  run.number_of_points = cloud.size();
+  std::vector<Point> points;
+  for(const support::Vec3& p : cloud.points)
+    points.emplace_back(p.x(), p.y(), p.z());
+  CGAL::Curve_skeleton_3<Kernel> skeleton;
+  std::string message;
+  if(!CGAL::IO::read_curve_skeleton(options.skeleton, skeleton, &message))
+    throw support::File_error(options.skeleton + ": " + message);
+
+  Mesh mesh;
+  CGAL::skeleton_driven_surface_reconstruction<Concurrency_tag>(
+    points, skeleton, mesh,
+    params::grid_resolution(options.resolution)
+      .adaptive(!options.is_regular)
+      .smoothness_weight(options.smoothness_weight)
+      .surface_weight(options.surface_weight)
+      .skeleton_weight(options.skeleton_weight)
+      .outside_weight(options.outside_weight)
+      .outside_factor(options.outside_factor)
+      .stage_times(std::ref(run.times))
+      .callback([&](double fraction) { return run.progress(fraction); }));
+
+  support::Triangle_mesh result;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    result.vertices.emplace_back(p.x(), p.y(), p.z());
+  }
+  for(const Mesh::Face_index face : mesh.faces()) {
+    std::array<std::size_t, 3> corners;
+    std::size_t k = 0;
+    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+      corners[k++] = std::size_t(v);
+    result.faces.push_back(corners);
+  }
+  return result;
+}
+
+using Method = support::Triangle_mesh (*)(Run&);
+const std::map<std::string, Method> methods = {
+  {"poisson", poisson},
+  {"skeleton-driven", skeleton_driven},
+};
+
+bool parse(Options& options, int argc, char** argv)
+{
+  support::Command_line line("reconstruct_surface", "Reconstructs a surface from a point set.");
+  line.positional("INPUT", options.input, "point file: .ply .off .noff .xyz .pwn .las");
+  line.option("-o,--output", "FILE", options.output, "mesh: .off .ply .obj .stl");
+  std::vector<std::string> names;
+  for(const auto& method : methods)
+    names.push_back(method.first);
+  line.option("--method", "NAME", options.method, "how the surface is found").one_of(names);
+  line.option("--json", "FILE", options.json, "report: counts, seconds of each stage");
+  line.option("--threads", "N", options.threads, "number of threads").default_is("all");
+  line.flag("-q,--quiet", options.quiet, "no progress bar");
+
+  line.heading("Method poisson (CGAL's; the points have outward normals)");
+  line.option("--spacing", "X", options.poisson.spacing, "unit of the facets' sizes")
+    .at_least(0).default_is("average spacing of the points");
+  line.option("--facet-angle", "DEG", options.poisson.angle, "smallest angle of facets").between(0, 30);
+  line.option("--facet-radius", "X", options.poisson.radius, "largest facets, in spacings").above(0);
+  line.option("--facet-distance", "X", options.poisson.distance,
+              "largest distance to the iso-surface, in spacings").above(0);
+
+  line.heading("Method skeleton-driven");
+  line.option("--skeleton", "FILE", options.skeleton, "curve skeleton with radii: .ply with edges");
+  line.option("--resolution", "N", options.resolution, "cells along the longest side").between(8, 1024);
+  line.flag("--regular-grid", options.is_regular, "a regular grid instead of an octree");
+  line.option("--smoothness-weight", "X", options.smoothness_weight, "omega_1").above(0);
+  line.option("--surface-weight", "X", options.surface_weight, "omega_2, of the points").above(0);
+  line.option("--skeleton-weight", "X", options.skeleton_weight, "omega_3").at_least(0);
+  line.option("--outside-weight", "X", options.outside_weight, "omega_4").at_least(0);
+  line.option("--outside-factor", "K", options.outside_factor,
+              "radii from the skeleton that are outside").at_least(1);
+  if(!line.parse(argc, argv))
+    return false;
+  if(options.output.empty())
+    throw support::Usage_error("--output is missing");
+  return true;
+}
+
+void report(const Run& run, const support::Triangle_mesh& mesh)
+{
+  support::Json json;
+  json["method"] = run.options.method;
+  json["points"] = run.number_of_points;
+  json["vertices"] = mesh.vertices.size();
+  json["faces"] = mesh.faces.size();
+  for(const auto& stage : run.times) {
+    json["stages"][stage.name]["seconds"] = stage.seconds;
+    json["stages"][stage.name]["iterations"] = stage.iterations;
+  }
+  support::write_json(run.options.json, json);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  return support::run_program("reconstruct_surface", [&] {
+    Options options;
+    if(!parse(options, argc, argv))
+      return;
+    support::check_mesh_output(options.output);
+    const support::Thread_limit threads(options.threads);
+    support::Progress_bar progress("surface", options.quiet);
+    Run run{options, progress};
+    const support::Triangle_mesh mesh = methods.at(options.method)(run);
+    support::write_mesh(options.output, mesh);
+    if(!options.json.empty())
+      report(run, mesh);
+  });
+}
