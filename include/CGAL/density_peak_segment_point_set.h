@@ -1,0 +1,208 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+
+#ifndef CGAL_DENSITY_PEAK_SEGMENT_POINT_SET_H
+#define CGAL_DENSITY_PEAK_SEGMENT_POINT_SET_H
+
+#include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
+#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_segmentation.h>
+#include <CGAL/Point_set_consolidation_3/internal/write_back.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+
+/*!
+\ingroup PkgPointSetConsolidation3Ref
+
+How `density_peak_segment_point_set()` finds segments.
+*/
+enum class Segmentation_method : unsigned char {
+  /// equation (7): centres stand out by density and by distance to denser points; every point follows its
+  /// nearest denser point
+  DENSITY_PEAKS,
+  /// the same along a neighbour graph: peaks of little prominence are merged, no point leaps across a gap
+  PERSISTENCE,
+  /// chains of the curve skeleton, cut where the radius changes
+  SKELETON
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+struct Segmentation_settings {
+  Segmentation_method method = Segmentation_method::SKELETON;
+  double radius = 0;        ///< h, in the caller's unit; 0: default
+  double prominence = 0.1;
+  Skeleton_segmentation_parameters skeleton;
+};
+
+inline Segmentation segment_points(Execution& execution, double share, const Points& world,
+                                   const Points& normals, const Segmentation_settings& settings)
+{
+  constexpr double default_radius = 0.15;  // of the diagonal: a body's width
+  if(settings.method != Segmentation_method::SKELETON) {
+    Stage stage(execution, "segmentation", share);
+    const double h =
+      settings.radius > 0 ? settings.radius : default_radius * bounding_box(world).diagonal();
+    if(!(h > 0))
+      return numbered_by_size(std::vector<std::size_t>(world.size(), 0));
+    return settings.method == Segmentation_method::PERSISTENCE
+             ? persistence_segments(execution, world, h, settings.prominence, settings.skeleton.count)
+             : density_peak_segments(execution, world, h, settings.skeleton.count);
+  }
+  Stage stage(execution, "segmentation", share);
+  Laplacian_skeleton_parameters parameters;
+  parameters.most_samples = 5000;  // seconds on large sets; parts do not depend on it
+  Execution silent = {execution.parallel, Progress(), {}};
+  Laplacian_skeletonization skeletonization(silent, world, normals, Points(), parameters);
+  skeletonization.find_rings();
+  stage.update(0.2);
+  skeletonization.contract_until_convergence();
+  stage.update(0.9);
+  skeletonization.thin();
+  skeletonization.recentre();
+  const Skeleton_graph skeleton = skeletonization.skeleton();
+  return Skeleton_segmentation(skeleton, world.size(), settings.skeleton).run(world);
+}
+
+}  // namespace internal
+/// \endcond
+}  // namespace Point_set_consolidation_3
+
+/*!
+  \ingroup PkgPointSetConsolidation3Ref
+
+  segments a point set into parts (section IV.A of the feature-enhanced surfaces paper
+  \cgalCite{cgal:wfglchc-fes-18}).
+
+  The paper's density peaks, equation (7), find parts that differ in density or thickness; on evenly sampled
+  surfaces the density is constant up to noise, and a segmentation by the curve skeleton is far
+  better: it is the default. Segments are numbered from 0 by falling size. The result is the same, bit for
+  bit, for any `ConcurrencyTag` and number of threads.
+
+  Complexity: density peaks and persistence \f$O(n\, m + n \log n)\f$ with m points in a ball of 0.6 h;
+  skeleton: see `extract_laplacian_contraction_skeleton()`, at most 5000 points are contracted.
+
+  \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
+  \tparam PointRange a model of `Range` whose iterator is a `ForwardIterator`; it may be constant if the label
+  map does not write into its elements.
+  \tparam LabelMap a model of `WritablePropertyMap` with the value type of the range as key and an integer as value
+  type.
+
+  \param points at least 4 points with finite coordinates.
+  \param label_map receives the number of each point's segment.
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{point_map}
+      \cgalParamDescription{positions of the points}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Point_3`}
+      \cgalParamDefault{`CGAL::Identity_property_map<geom_traits::Point_3>`}
+    \cgalParamNEnd
+    \cgalParamNBegin{normal_map}
+      \cgalParamDescription{outward normals; they make the radii of skeletons of one-sided scans better}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
+      \cgalParamDefault{none}
+    \cgalParamNEnd
+    \cgalParamNBegin{number_of_segments}
+      \cgalParamDescription{number of segments; 0: found automatically. `DENSITY_PEAKS`: the centres of highest
+        \f$\log\nu+\log\delta\f$; the others merge segments, so that there may be fewer}
+      \cgalParamType{`std::size_t`}
+      \cgalParamDefault{0: `DENSITY_PEAKS` up to the largest drop of \f$\log\nu+\log\delta\f$}
+    \cgalParamNEnd
+    \cgalParamNBegin{segmentation_method}
+      \cgalParamDescription{how segments are found}
+      \cgalParamType{`Point_set_consolidation_3::Segmentation_method`}
+      \cgalParamDefault{`Segmentation_method::SKELETON`}
+    \cgalParamNEnd
+    \cgalParamNBegin{neighbor_radius}
+      \cgalParamDescription{h of the density's \f$\theta(r) = e^{-16 r^2/h^2}\f$, in the unit of the input}
+      \cgalParamType{floating scalar value, not negative; 0 for the default}
+      \cgalParamDefault{0.15 diagonals of the bounding box}
+    \cgalParamNEnd
+    \cgalParamNBegin{prominence}
+      \cgalParamDescription{`PERSISTENCE`: a peak counts if its logarithm of density is so much above the point where
+        its segment meets a higher one; not negative}
+      \cgalParamType{floating scalar value}
+      \cgalParamDefault{0.1}
+    \cgalParamNEnd
+    \cgalParamNBegin{variation_penalty}
+      \cgalParamDescription{`SKELETON`: \f$\lambda\f$, the price of a cut, against the sum of squared deviations of the
+        logarithm of the radius; positive}
+      \cgalParamType{floating scalar value}
+      \cgalParamDefault{0.4; results are stable for 0.1 to 0.8}
+    \cgalParamNEnd
+    \cgalParamNBegin{callback}
+      \cgalParamDescription{called on the calling thread with the progress in [0, 1], never decreasing; returning
+        `false` stops the call, which then leaves its output untouched}
+      \cgalParamType{an instance of `std::function<bool(double)>`}
+      \cgalParamDefault{unused}
+    \cgalParamNEnd
+    \cgalParamNBegin{stage_times}
+      \cgalParamDescription{receives name, seconds and iterations of each stage}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamDefault{unused}
+    \cgalParamNEnd
+    \cgalParamNBegin{geom_traits}
+      \cgalParamDescription{an instance of a geometric traits class}
+      \cgalParamType{a model of `Kernel`}
+      \cgalParamDefault{the kernel of the points}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \return the number of segments; 0 if the callback cancelled.
+  \throws std::invalid_argument if there are too few points, a coordinate is not finite, or a parameter is
+  out of its range; the message names it.
+*/
+template <typename ConcurrencyTag, typename PointRange, typename LabelMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t density_peak_segment_point_set(
+  PointRange& points, LabelMap label_map,
+  const NamedParameters& named_parameters = parameters::default_values())
+{
+  using namespace Point_set_consolidation_3::internal;
+  namespace tags = Point_set_consolidation_3::internal_np;
+  typedef typename boost::property_traits<LabelMap>::value_type Label;
+  const char* function = "density_peak_segment_point_set";
+  const auto& np = cgal_np(named_parameters);
+  constexpr std::size_t least_points = 4;
+
+  const Points world = copy_points(function, points, np, least_points);
+  const Points normals = copy_normals(function, points, np);
+  Segmentation_settings settings;
+  settings.method = parameter_or(np, tags::segmentation_method, settings.method);
+  settings.radius = parameter_or(np, tags::neighbor_radius, 0.);
+  settings.prominence = parameter_or(np, tags::prominence, settings.prominence);
+  settings.skeleton.penalty = parameter_or(np, tags::variation_penalty, settings.skeleton.penalty);
+  settings.skeleton.count = parameter_or(np, tags::number_of_segments, std::size_t(0));
+  require(settings.radius >= 0 && std::isfinite(settings.radius), function,
+          "neighbor_radius must not be negative");
+  require(settings.prominence >= 0, function, "prominence must not be negative");
+  require(settings.skeleton.penalty > 0, function, "variation_penalty must be positive");
+  require(settings.skeleton.count <= world.size(), function,
+          "number_of_segments must be at most the number of points");
+
+  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
+  Segmentation segmentation;
+  try {
+    segmentation = segment_points(execution, 1, world, normals, settings);
+    execution.progress.finish();
+  }
+  catch(const Cancelled&) {
+    return 0;
+  }
+  report_stage_times(np, execution.times);
+  for_each_indexed(points, [&](auto&& key, std::size_t i) {
+    put(label_map, key, Label(segmentation.labels[i]));
+  });
+  return segmentation.count;
+}
+
+}  // namespace CGAL
+
+#endif  // CGAL_DENSITY_PEAK_SEGMENT_POINT_SET_H
