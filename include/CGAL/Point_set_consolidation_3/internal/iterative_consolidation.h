@@ -51,10 +51,7 @@ struct Iterative_parameters {
   static Iterative_parameters printed()
   {
     Iterative_parameters p;
-    p.repulsion.steps = 1;
-    p.repulsion.projections = 3;
-    p.repulsion.arc_factor = 0.15915494309189535;  // 1 / (2 pi)
-    p.repulsion.largest_normal_residual = (std::numeric_limits<double>::max)();
+    p.repulsion = Repulsion_parameters::printed();
     p.upsampling.least_distance = 1. / 3;
     p.outliers.far_distance = 1;
     p.outliers.removes_near = false;
@@ -90,6 +87,7 @@ class Iterative_consolidation {
   static constexpr std::size_t voting_passes = 3;
   static constexpr std::size_t least_new_points = 20;   ///< fewer are the noise of the selection
   static constexpr double first_phase_radius = 0.6;     ///< of h, in the first of two phases
+  static constexpr double region_radius = 0.4;          ///< of h: up-sampled points of one sheet
   /// Neighbourhoods of 20 particles need some hundreds of them.
   static constexpr std::size_t least_particles = 500;
 
@@ -106,6 +104,7 @@ public:
     if(m_h > 0) {
       remove_outliers();
       orient_points();
+      prepare_guard();
       if(m_parameters.two_phases) {
         iterate(0.3, first_phase_radius, 0);
         sample_particles(m_points, m_number_of_particles);
@@ -289,18 +288,21 @@ private:
     m_kept_normals = m_normals;
   }
 
+  void prepare_guard()
+  {
+    if(!m_parameters.guard.enabled)
+      return;
+    if(!m_input.directions.view.empty())
+      m_free_space = Free_space(m_execution, m_kept_points, kept_directions(),
+                                m_parameters.guard.free_space_tolerance * m_h);
+    m_guard = Placement_guard(m_kept_points, m_kept_normals, m_free_space, m_h, m_parameters.guard);
+  }
+
   /// Lines 3 to 18 of algorithm 1.
   void iterate(double share, double h_factor, std::size_t repulsion_steps)
   {
     const double h = h_factor * m_h;
-    const Free_space free_space =
-      m_input.directions.view.empty()
-        ? Free_space()
-        : Free_space(m_execution, m_kept_points, kept_directions(),
-                     m_parameters.guard.free_space_tolerance * m_h);
-    const Placement_guard guard(m_kept_points, m_kept_normals, free_space, m_h,
-                                m_parameters.guard);
-    const Placement_test may_place = [&guard](const Vec3& x, const Vec3& n) { return guard(x, n); };
+    const Placement_test may_place = [this](const Vec3& x, const Vec3& n) { return m_guard(x, n); };
     const double iteration_share = share / double((std::max)(std::size_t(1), m_parameters.iterations));
     const double least_distance =
       (std::max)(m_parameters.selection_distance * h,
@@ -434,13 +436,21 @@ private:
       peel.radius *= m_h;
       removed = peel_open_borders(m_execution, m_points, m_normals, m_number_of_kept, peel);
     }
+    Points added, added_normals;
+    for(std::size_t i = m_number_of_kept; i < m_points.size(); ++i)
+      if(!removed[i]) {
+        added.push_back(m_points[i]);
+        added_normals.push_back(m_normals[i]);
+      }
+    const std::vector<char> is_doubtful =
+      m_guard.doubtful_regions(m_execution, added, added_normals, region_radius * m_h);
     const Nearest_neighbors data(m_kept_points);
-    for(std::size_t i = m_number_of_kept; i < m_points.size(); ++i) {
-      if(removed[i])
+    for(std::size_t i = 0; i < added.size(); ++i) {
+      if(is_doubtful[i])
         continue;
-      m_result.new_points.push_back(m_points[i]);
-      m_result.new_normals.push_back(m_normals[i]);
-      const double distance = std::sqrt(data.nearest(m_points[i]).squared_distance);
+      m_result.new_points.push_back(added[i]);
+      m_result.new_normals.push_back(added_normals[i]);
+      const double distance = std::sqrt(data.nearest(added[i]).squared_distance);
       m_result.new_confidence.push_back(confidence(distance / spacing()));
     }
     m_result.normals.assign(m_input.points.size(), Vec3::UnitZ());
@@ -470,6 +480,8 @@ private:
   std::size_t m_number_of_kept = 0;
   Points m_points, m_normals;                      ///< P: kept points, then added ones
   Points m_kept_points, m_kept_normals;
+  Free_space m_free_space;
+  Placement_guard m_guard;
   std::unique_ptr<Nearest_neighbors> m_region_tree;
 };
 

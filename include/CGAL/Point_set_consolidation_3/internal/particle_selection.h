@@ -161,37 +161,6 @@ inline std::vector<char> peel_open_borders(const Execution& execution, const Poi
   return removed;
 }
 
-/// Connected components of the points from `first` on, neighbours within `radius`: a label per point,
-/// labels in the order of their first points.
-inline std::vector<std::size_t> connected_components(const Points& points, std::size_t first,
-                                                     double radius, std::size_t& number)
-{
-  const Points subset(points.begin() + std::ptrdiff_t(first), points.end());
-  const Sorted_grid grid(subset, radius);
-  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::vector<std::size_t> label(subset.size(), none);
-  number = 0;
-  for(std::size_t seed = 0; seed < subset.size(); ++seed) {
-    if(label[seed] != none)
-      continue;
-    std::vector<std::size_t> stack(1, seed);
-    label[seed] = number;
-    while(!stack.empty()) {
-      const std::size_t i = stack.back();
-      stack.pop_back();
-      grid.for_each_neighbor(subset[i], radius, [&](Index j, double) {
-        if(label[j] == none) {
-          label[j] = number;
-          stack.push_back(j);
-        }
-        return true;
-      });
-    }
-    ++number;
-  }
-  return label;
-}
-
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL

@@ -29,7 +29,43 @@ struct Guard_parameters {
   /// Sine of the largest elevation over the tangent plane of the nearest data: more than 45 degrees, what
   /// the pole of a missing hemisphere has, is no continuation of its rim.
   double largest_elevation = 0.75;
+  /// A region of completed points is taken back as a whole if it rises higher than this anywhere, ...
+  double largest_region_elevation = 0.6;
+  /// ... if its normals differ more from the data's along its rim (mean cosine): it bends off instead of
+  /// going on, ...
+  double least_rim_cosine = 0.95;
+  /// ... or if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
+  double least_reach = 0.45;
 };
+
+/// Connected components, neighbours within `radius`: a label per point, in the order of their first points.
+inline std::vector<std::size_t> connected_components(const Points& points, double radius,
+                                                     std::size_t& number)
+{
+  const Sorted_grid grid(points, radius);
+  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::size_t> label(points.size(), none);
+  number = 0;
+  for(std::size_t seed = 0; seed < points.size(); ++seed) {
+    if(label[seed] != none)
+      continue;
+    std::vector<std::size_t> stack(1, seed);
+    label[seed] = number;
+    while(!stack.empty()) {
+      const std::size_t i = stack.back();
+      stack.pop_back();
+      grid.for_each_neighbor(points[i], radius, [&](Index j, double) {
+        if(label[j] == none) {
+          label[j] = number;
+          stack.push_back(j);
+        }
+        return true;
+      });
+    }
+    ++number;
+  }
+  return label;
+}
 
 class Placement_guard {
 public:
@@ -47,7 +83,52 @@ public:
            (!is_seen_through(x) && !opposes_data(x, normal) && continues_data(x));
   }
 
+  /// Flags the regions, neighbours within `radius`, of the points from `first` on that are no plausible
+  /// continuation of the data as a whole.
+  std::vector<char> doubtful_regions(const Execution& execution, const Points& points,
+                                     const Points& normals, double radius) const
+  {
+    constexpr double rim = 0.35;  // of h: nearer to the data than this is a region's rim
+    std::vector<char> is_doubtful(points.size(), 0);
+    if(!m_parameters.enabled || m_data == nullptr || points.empty())
+      return is_doubtful;
+    struct Region {
+      double elevation = 0, reach = 0, cosine = 0;
+      std::size_t rim_points = 0;
+    };
+    std::vector<Neighbor> nearest(points.size());
+    parallel_for(execution, points.size(),
+                 [&](std::size_t i) { nearest[i] = m_tree->nearest(points[i]); });
+    std::size_t number = 0;
+    const std::vector<std::size_t> label = connected_components(points, radius, number);
+    std::vector<Region> regions(number);
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      Region& region = regions[label[i]];
+      const Vec3& n = (*m_normals)[nearest[i].index];
+      const double distance = std::sqrt(nearest[i].squared_distance);
+      if(distance > beside * m_h)
+        region.elevation =
+          (std::max)(region.elevation,
+                     std::abs(n.dot(points[i] - (*m_data)[nearest[i].index])) / distance);
+      region.reach = (std::max)(region.reach, distance);
+      if(distance < rim * m_h) {
+        region.cosine += n.dot(normals[i]);
+        ++region.rim_points;
+      }
+    }
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const Region& region = regions[label[i]];
+      is_doubtful[i] =
+        region.elevation > m_parameters.largest_region_elevation ||
+        region.reach < m_parameters.least_reach * m_h ||
+        region.cosine < m_parameters.least_rim_cosine * double(region.rim_points);
+    }
+    return is_doubtful;
+  }
+
 private:
+  static constexpr double beside = 0.2;  ///< of h: on the data, where the elevation is noise
+
   bool is_seen_through(const Vec3& x) const
   {
     return !m_free_space->empty() && (*m_free_space)(x) > m_parameters.free_space_tolerance * m_h;
@@ -67,7 +148,6 @@ private:
   {
     const Neighbor p = m_tree->nearest(x);
     const double distance = std::sqrt(p.squared_distance);
-    constexpr double beside = 0.2;  // of h: on the data, where the ratio is noise
     return distance < beside * m_h ||
            std::abs((*m_normals)[p.index].dot(x - (*m_data)[p.index])) <=
              m_parameters.largest_elevation * distance;

@@ -30,6 +30,16 @@ struct Repulsion_parameters {
   /// sphere, and its extension would fly off. Replaces the static region that the paper's user draws.
   double largest_normal_residual = 0.4;
   double largest_step = (std::numeric_limits<double>::max)();  ///< L_avg in equation (5)
+
+  static Repulsion_parameters printed()
+  {
+    Repulsion_parameters p;
+    p.steps = 1;
+    p.projections = 3;
+    p.arc_factor = 0.15915494309189535;  // 1 / (2 pi)
+    p.largest_normal_residual = (std::numeric_limits<double>::max)();
+    return p;
+  }
 };
 
 /// Whether a particle may move to a place; a policy for what is known about empty space.

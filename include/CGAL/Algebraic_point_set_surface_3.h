@@ -1,0 +1,137 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ALGEBRAIC_POINT_SET_SURFACE_3_H
+#define CGAL_ALGEBRAIC_POINT_SET_SURFACE_3_H
+
+#include <CGAL/apss_project_point_set.h>
+
+#include <optional>
+
+namespace CGAL {
+
+/*!
+  \ingroup PkgPointSetConsolidation3Ref
+
+  The algebraic point set surface of oriented points \cgalCite{cgal:gg-apss-07}, as a scalar field near the
+  points: for any query an algebraic sphere \f$s(y) = u_0 + (u_1, u_2, u_3) \cdot y + u_4\, y \cdot y\f$ is fitted to the
+  points around it, with weights \f$(1 - r^2/h^2)^4\f$; its zero set and gradient at the query are those of
+  the surface. See appendix II of \cgalCite{cgal:lcw-icupc-12}.
+
+  The fit is exact for points on spheres and planes. The sphere's centre is never formed: planes, and offsets far
+  from the origin, lose no accuracy. The object copies the points; queries are `const` and may run
+  concurrently. Complexity of a query: that of finding the points within \f$h\f$.
+
+  \tparam Traits a model of `Kernel`, floating point coordinates.
+*/
+template <typename Traits>
+class Algebraic_point_set_surface_3 {
+  /// \cond SKIP_IN_MANUAL
+  typedef Point_set_consolidation_3::internal::Algebraic_surface Surface;
+  typedef Point_set_consolidation_3::internal::Vec3 Vec3;
+  /// \endcond
+
+public:
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+  typedef typename Traits::Vector_3 Vector_3;
+
+  /// A fitted algebraic sphere in the user's coordinates: a sphere if `curvature` is not zero, else a
+  /// plane.
+  struct Sphere {
+    Point_3 point;     ///< the nearest point of the sphere to the query
+    Vector_3 normal;   ///< its unit normal there
+    FT curvature;      ///< one over the radius, positive if normals point away from the centre
+    std::size_t number_of_points;  ///< in the support
+    FT normal_residual;  ///< root mean square difference of the points' normals from the gradient
+  };
+
+  /// copies points and normals.
+  /// \param points points with finite coordinates and oriented normals.
+  /// \param np named parameters `point_map`, `normal_map`, `geom_traits` and `neighbor_radius` (\f$h\f$; default 4
+  /// spacings), as for `apss_project_point_set()`.
+  /// \throws std::invalid_argument as `apss_project_point_set()`.
+  template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
+  explicit Algebraic_point_set_surface_3(const PointRange& points,
+                                         const NamedParameters& np = parameters::default_values())
+  {
+    using namespace Point_set_consolidation_3::internal;
+    const char* const function = "Algebraic_point_set_surface_3";
+    const auto& pack = cgal_np(np);
+    const Points input = copy_points(function, points, pack, 1);
+    Points normals = copy_unit_normals(function, points, pack);
+    m_frame = apss_frame(make_execution<Sequential_tag>(), input);
+    m_surface = Surface(to_frame(m_frame, input), std::move(normals),
+                        apss_radius(function, pack, m_frame));
+  }
+
+  /// \f$h\f$.
+  FT support_radius() const { return FT(m_surface.support() * m_frame.unit); }
+
+  /// The sphere fitted at `query`; nothing where fewer than three points are in the support.
+  std::optional<Sphere> fit(const Point_3& query) const
+  {
+    const Vec3 x = local(query);
+    const Surface::Fit f = m_surface.fit(x, Vec3::Zero());
+    if(f.count < Surface::least_points)
+      return std::nullopt;
+    const Vec3 y = f.sphere.project(x);
+    return Sphere{world(y), vector(f.sphere.normal(y, Vec3::UnitZ())),
+                  FT(f.sphere.curvature() / m_frame.unit), f.count, FT(f.normal_residual)};
+  }
+
+  /// Projects `query` onto the surface by up to `iterations` fits; nothing where the surface is not defined: fewer
+  /// than three points in the support, or a projection that leaves it.
+  std::optional<Point_3> project(const Point_3& query, std::size_t iterations = 10) const
+  {
+    Vec3 x = local(query), normal = Vec3::Zero();  // zero: neighbours of all sides count
+    if(!m_surface.project(x, normal, iterations))
+      return std::nullopt;
+    return world(x);
+  }
+
+  /// Signed distance of `query` from the sphere fitted there, positive on the side of the normals.
+  std::optional<FT> signed_distance(const Point_3& query) const
+  {
+    const Vec3 x = local(query);
+    const Surface::Fit f = m_surface.fit(x, Vec3::Zero());
+    if(f.count < Surface::least_points)
+      return std::nullopt;
+    return FT(f.sphere.signed_distance(x) * m_frame.unit);
+  }
+
+  /// Gradient of the fitted field at `query`; of length about one near the surface.
+  std::optional<Vector_3> gradient(const Point_3& query) const
+  {
+    const Vec3 x = local(query);
+    const Surface::Fit f = m_surface.fit(x, Vec3::Zero());
+    if(f.count < Surface::least_points)
+      return std::nullopt;
+    return vector(f.sphere.gradient(x));
+  }
+
+private:
+  Vec3 local(const Point_3& p) const
+  {
+    return m_frame.to_local(Point_set_consolidation_3::internal::to_vec3(p));
+  }
+  Point_3 world(const Vec3& x) const
+  {
+    return Point_set_consolidation_3::internal::to_point<Traits>(m_frame.to_world(x));
+  }
+  static Vector_3 vector(const Vec3& v)
+  {
+    return Point_set_consolidation_3::internal::to_vector<Traits>(v);
+  }
+
+  Point_set_consolidation_3::internal::Frame m_frame;
+  Surface m_surface;
+};
+
+}  // namespace CGAL
+
+#endif  // CGAL_ALGEBRAIC_POINT_SET_SURFACE_3_H
