@@ -50,6 +50,36 @@ private:
   FT m_confidence;
 };
 
+/*!
+  \ingroup PkgPointSetConsolidation3Ref
+
+  A point that `complete_point_set()` adds: a deep point whose inner point is the centre of a ball inside of
+  the shape, and what is known of it. It may be assigned to a
+  `Deep_point_3`.
+*/
+template <typename Kernel>
+class Completed_point_3 : public Deep_point_3<Kernel> {
+public:
+  typedef Deep_point_3<Kernel> Base;
+  typedef typename Kernel::FT FT;
+
+  Completed_point_3() = default;
+  Completed_point_3(const Base& base, const FT& distance, bool is_clipped, bool is_unanchored)
+    : Base(base), m_distance(distance), m_is_clipped(is_clipped), m_is_unanchored(is_unanchored)
+  {}
+
+  /// distance to the nearest input point, in the input's unit
+  const FT& distance() const { return m_distance; }
+  /// whether the data or known free space bound the shape here
+  bool is_clipped() const { return m_is_clipped; }
+  /// whether nothing opposes the surface from which this was completed: its depth is a guess
+  bool is_unanchored() const { return m_is_unanchored; }
+
+private:
+  FT m_distance = FT(0);
+  bool m_is_clipped = false, m_is_unanchored = false;
+};
+
 /// \cond SKIP_IN_MANUAL
 #define CGAL_PSC3_DEEP_POINT_MAP(NAME, TYPE, MEMBER)                                 \
   template <typename Kernel>                                                        \

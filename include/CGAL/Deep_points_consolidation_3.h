@@ -147,6 +147,31 @@ public:
     });
   }
 
+  /// Beside the paper's stages, after `sink_inner_points()`: the missing parts by clipped balls, and the seen
+  /// part denoised and oriented, see `complete_point_set()`.
+  bool complete_missing_parts()
+  {
+    if(m_has_completion)
+      return true;
+    if(!sink_inner_points())
+      return false;
+    return run(m_stage, [&] {
+      using namespace Point_set_consolidation_3::internal;
+      Stage stage(m_execution, "completion", 0.5);
+      m_seen = Seen_part_estimation::estimate(m_execution, m_input.data, outer_sides());
+      stage.update(0.3);
+      Free_space free_space;
+      if(!m_input.directions.empty())
+        free_space = Free_space(m_execution, m_input.data, m_input.directions,
+                                m_seen.spacing + (m_seen.is_noisy ? 3 * m_seen.noise : 0));
+      stage.update(0.4);
+      m_completed = Completion(m_execution, m_input, m_seen, m_sunk, free_space,
+                               m_completion_parameters).run(stage);
+      m_has_completion = true;
+      m_execution.progress.finish();
+    });
+  }
+
   /// @}
   /// \name Results
   /// Empty before their stage has run.
@@ -162,6 +187,30 @@ public:
                              vector(m_surface.normals[i]), FT(m_confidence[i]));
     return output;
   }
+
+  /// writes the missing points, as `Completed_point_3<Traits>`; empty if nothing is missing.
+  template <typename OutputIterator>
+  OutputIterator completed_points(OutputIterator output) const
+  {
+    using Point_set_consolidation_3::internal::confidence;
+    for(std::size_t i = 0; i < m_completed.points.size(); ++i) {
+      const double distance = m_completed.distance[i];
+      *output++ = Completed_point_3<Traits>(
+        Deep_point(world(m_completed.points[i]), world(m_completed.inner[i]),
+                   vector(m_completed.normals[i]), FT(confidence(distance))),
+        FT(m_input.frame.unit * distance), m_completed.is_clipped[i] != 0,
+        m_completed.is_unanchored[i] != 0);
+    }
+    return output;
+  }
+  /// position of input point i as it should be meshed: the input point itself unless the data are noisy
+  Point_3 denoised_point(std::size_t i) const
+  {
+    const Vec3& p = m_points[i];
+    return m_seen.is_noisy ? world(m_seen.points[i]) : Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
+  }
+  /// its unit normal, outwards
+  Vector_3 denoised_normal(std::size_t i) const { return vector(m_seen.normals[i]); }
 
   /// number of deep points
   std::size_t size() const { return m_input.points.size(); }
@@ -248,6 +297,20 @@ private:
     m_surface_parameters = read_surface_parameters(function, np);
   }
 
+  /// For each input point a direction on the outer side.
+  Points outer_sides() const
+  {
+    using namespace Point_set_consolidation_3::internal;
+    if(!m_input.directions.empty())
+      return m_input.directions.towards_scanner;
+    const Nearest_neighbors tree(m_input.points);
+    Points sides(m_input.data.size());
+    parallel_for(m_execution, sides.size(), [&](std::size_t i) {
+      sides[i] = m_input.normals[tree.nearest(m_input.data[i]).index];
+    });
+    return sides;
+  }
+
   Point_3 world(const Vec3& local) const
   {
     const Vec3 w = m_input.frame.to_world(local);
@@ -269,6 +332,10 @@ private:
   Point_set_consolidation_3::internal::Sunk_points m_sunk;
   Point_set_consolidation_3::internal::Meso_skeleton m_skeleton;
   Point_set_consolidation_3::internal::Consolidated_surface m_surface;
+  Point_set_consolidation_3::internal::Completion_parameters m_completion_parameters;
+  Point_set_consolidation_3::internal::Seen_part m_seen;
+  Point_set_consolidation_3::internal::Completed_points m_completed;
+  bool m_has_completion = false;
   std::vector<double> m_confidence;
   /// \endcond
 };

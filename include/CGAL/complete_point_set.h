@@ -8,99 +8,9 @@
 #ifndef CGAL_COMPLETE_POINT_SET_H
 #define CGAL_COMPLETE_POINT_SET_H
 
-#include <CGAL/Deep_point_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/completion.h>
-#include <CGAL/Point_set_consolidation_3/internal/confidence.h>
-#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
-#include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
-#include <CGAL/Point_set_consolidation_3/internal/scan_directions.h>
-#include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
-#include <CGAL/Point_set_consolidation_3/parameters.h>
+#include <CGAL/Deep_points_consolidation_3.h>
 
 namespace CGAL {
-
-/*!
-  \ingroup PkgPointSetConsolidation3Ref
-
-  A point that `complete_point_set()` adds: a deep point, and what is known of it. It may be assigned to a
-  `Deep_point_3`.
-*/
-template <typename Kernel>
-class Completed_point_3 : public Deep_point_3<Kernel> {
-public:
-  typedef Deep_point_3<Kernel> Base;
-  typedef typename Kernel::FT FT;
-
-  Completed_point_3() = default;
-  Completed_point_3(const Base& base, const FT& distance, bool is_clipped, bool is_unanchored)
-    : Base(base), m_distance(distance), m_is_clipped(is_clipped), m_is_unanchored(is_unanchored)
-  {}
-
-  /// distance to the nearest input point, in the input's unit
-  const FT& distance() const { return m_distance; }
-  /// whether the data or known free space bound the shape here
-  bool is_clipped() const { return m_is_clipped; }
-  /// whether nothing opposes the surface from which this was completed: its depth is a guess
-  bool is_unanchored() const { return m_is_unanchored; }
-
-private:
-  FT m_distance = FT(0);
-  bool m_is_clipped = false, m_is_unanchored = false;
-};
-
-/// \cond SKIP_IN_MANUAL
-namespace Point_set_consolidation_3 {
-namespace internal {
-
-/// All stages on plain arrays. `hints` may be empty.
-struct Completion_result {
-  Consolidated_input input;
-  Seen_part seen;
-  Completed_points completed;
-};
-
-template <typename ConcurrencyTag>
-Completion_result complete(Execution& execution, const Points& world, const Points& hints,
-                           const Scan_directions& directions,
-                           const Input_parameters& input_parameters,
-                           const Sinking_parameters& sinking_parameters,
-                           const Completion_parameters& completion_parameters)
-{
-  Completion_result result;
-  result.input = consolidate_input<ConcurrencyTag>(execution, 0.5, world, hints, directions,
-                                                   input_parameters);
-  const Consolidated_input& input = result.input;
-  Sunk_points sunk;
-  {
-    Stage stage(execution, "sinking", 0.15);
-    sunk = sink(execution, stage, input.points, input.normals, sinking_parameters);
-  }
-  {
-    Stage stage(execution, "seen part", 0.1);
-    Points sides = directions.towards_scanner;
-    if(directions.empty()) {
-      const Nearest_neighbors tree(input.points);
-      sides.resize(input.data.size());
-      parallel_for(execution, sides.size(), [&](std::size_t i) {
-        sides[i] = input.normals[tree.nearest(input.data[i]).index];
-      });
-    }
-    result.seen = Seen_part_estimation::estimate(execution, input.data, sides);
-  }
-  Stage stage(execution, "completion", 0.25);
-  Free_space free_space;
-  if(!directions.empty())
-    free_space = Free_space(execution, input.data, directions,
-                            result.seen.spacing + (result.seen.is_noisy ? 3 * result.seen.noise : 0));
-  stage.update(0.1);
-  result.completed = Completion(execution, input, result.seen, sunk, free_space,
-                                completion_parameters).run(stage);
-  return result;
-}
-
-}  // namespace internal
-}  // namespace Point_set_consolidation_3
-/// \endcond
 
 /*!
   \ingroup PkgPointSetConsolidation3Ref
@@ -159,59 +69,24 @@ complete_point_set(const PointRange& points, OutputIterator output,
 {
   using namespace Point_set_consolidation_3::internal;
   namespace names = Point_set_consolidation_3::internal_np;
-  const char* const function = "complete_point_set";
   const auto& np = cgal_np(named_parameters);
   typedef Cgal_np<NamedParameters> NP;
   typedef typename Np_helper<PointRange, NP>::Geom_traits Traits;
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point_3 Point_3;
-  typedef typename Traits::Vector_3 Vector_3;
-
-  constexpr std::size_t least_points = 10;
-  const Points world = copy_points(function, points, np, least_points);
-  const Points hints = copy_normals(function, points, np);
-  const Scan_directions directions = copy_scan_directions(function, points, world, np);
-  const Input_parameters input_parameters = read_input_parameters(function, np, world.size());
-  const Sinking_parameters sinking_parameters = read_sinking_parameters(function, np);
-
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
-  Completion_result result;
-  try {
-    result = complete<ConcurrencyTag>(execution, world, hints, directions, input_parameters,
-                                      sinking_parameters, Completion_parameters());
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  Deep_points_consolidation_3<Traits, ConcurrencyTag> consolidation(points, named_parameters);
+  const bool is_complete = consolidation.complete_missing_parts();
+  report_stage_times(np, consolidation.stage_times());
+  if(!is_complete)
     return output;
-  }
-  report_stage_times(np, execution.times);
-
-  const Frame& frame = result.input.frame;
-  const auto point = [&](const Vec3& local) {
-    const Vec3 w = frame.to_world(local);
-    return Point_3(FT(w.x()), FT(w.y()), FT(w.z()));
-  };
-  const auto vector = [](const Vec3& v) { return Vector_3(FT(v.x()), FT(v.y()), FT(v.z())); };
   std::size_t i = 0;
   for(auto it = points.begin(); it != points.end(); ++it, ++i) {
-    if constexpr(has_parameter<NP, names::denoised_point_map_t>) {
-      const Vec3& w = world[i];
+    if constexpr(has_parameter<NP, names::denoised_point_map_t>)
       put(CGAL::parameters::get_parameter(np, names::denoised_point_map), *it,
-          result.seen.is_noisy ? point(result.seen.points[i])
-                               : Point_3(FT(w.x()), FT(w.y()), FT(w.z())));
-    }
+          consolidation.denoised_point(i));
     if constexpr(has_parameter<NP, names::denoised_normal_map_t>)
       put(CGAL::parameters::get_parameter(np, names::denoised_normal_map), *it,
-          vector(result.seen.normals[i]));
+          consolidation.denoised_normal(i));
   }
-  const Completed_points& completed = result.completed;
-  for(i = 0; i < completed.points.size(); ++i)
-    *output++ = Completed_point_3<Traits>(
-      Deep_point_3<Traits>(point(completed.points[i]), point(completed.inner[i]),
-                           vector(completed.normals[i]), FT(confidence(completed.distance[i]))),
-      FT(frame.unit * completed.distance[i]), completed.is_clipped[i] != 0,
-      completed.is_unanchored[i] != 0);
-  return output;
+  return consolidation.completed_points(output);
 }
 
 }  // namespace CGAL
