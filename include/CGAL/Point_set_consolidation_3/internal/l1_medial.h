@@ -1,0 +1,348 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_H
+
+#include <CGAL/Point_set_consolidation_3/internal/recentring.h>
+#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
+#include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+#include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Feature-enhanced surfaces paper, section V.A: the L1-medial skeleton, equation (8). In: points Z. Out: a
+/// curve skeleton in the points' coordinates. Samples M of the points move to the L1 medians of balls that
+/// grow, repelled along the curves that form; a sample whose surroundings are a curve stays.
+///
+/// Huang et al. trace branches and bridge them by rules; here the rings of the samples on the surface are
+/// kept while they move, and thinned to a graph, which has the right topology. Lengths in units of the
+/// diagonal of the points' box.
+
+struct L1_medial_parameters {
+  std::size_t most_points = 2500;    ///< of Z: the ball sums at large h are what costs
+  std::size_t samples = 700;         ///< of M
+  double repulsion = 0.35;           ///< mu
+  double largest_radius = 0.5;       ///< of h: a tube of radius rho contracts at h = 4 to 5 rho only
+  double initial_radius = 0;         ///< h_0; 0: 2 / cbrt(n)
+  double freezing_linearity = 0.9;   ///< of sigma
+  std::size_t inner_iterations = 10; ///< at one h
+  double sampling_radius = 0.02;     ///< of the graph's nodes
+  std::size_t largest_merged_cycle = 6;
+  bool extend_tips = true;
+  std::uint64_t seed = 0;
+};
+
+class L1_medial_skeletonization {
+  static constexpr double cutoff = 0.6;            ///< of h: theta is 3e-3 there
+  static constexpr double least_distance = 1e-3;   ///< of h
+  static constexpr double least_move = 5e-4;       ///< mean move that ends the iterations at one h
+  static constexpr std::size_t linearity_neighbors = 6;
+  static constexpr std::size_t density_neighbors = 8;
+
+public:
+  L1_medial_skeletonization(Execution& execution, const Points& world,
+                            const L1_medial_parameters& parameters)
+    : m_execution(execution), m_parameters(parameters)
+  {
+    const Bounding_box box = bounding_box(world);
+    m_frame.origin = box.centre();
+    if(box.diagonal() > 0)
+      m_frame.unit = box.diagonal();
+    for(const Vec3& p : world)
+      m_all.push_back(m_frame.to_local(p));
+    const std::vector<std::size_t> order =
+      random_subset(m_all.size(), m_parameters.most_points, m_parameters.seed);
+    for(const std::size_t i : order)
+      m_points.push_back(m_all[i]);
+  }
+
+  Skeleton_graph run(Stage& stage)
+  {
+    choose_samples();
+    const Tangent_rings rings = find_tangent_rings(
+      m_execution, m_start, (std::min)(m_start.size(), default_ring_neighbors(m_start.size())));
+    weigh_points();
+    contract(stage);
+    return graph(rings);
+  }
+
+  const std::vector<char>& frozen() const { return m_is_frozen; }
+
+private:
+  /// Evenly spread samples, each the farthest from those before: the rings need an even set.
+  void choose_samples()
+  {
+    const std::size_t wanted = (std::min)(m_parameters.samples, m_points.size());
+    std::vector<double> distance(m_points.size(), std::numeric_limits<double>::max());
+    std::size_t farthest = 0;
+    while(m_start.size() < wanted) {
+      const Vec3 p = m_points[farthest];
+      m_start.push_back(p);
+      for(std::size_t i = 0; i < m_points.size(); ++i)
+        distance[i] = (std::min)(distance[i], (m_points[i] - p).squaredNorm());
+      farthest = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      if(!(distance[farthest] > 0))
+        break;  // the rest are copies
+    }
+    m_samples = m_start;
+    m_is_frozen.assign(m_samples.size(), 0);
+    m_linearity.assign(m_samples.size(), 0.);
+  }
+
+  /// Area that a point stands for: alpha is divided by the density of the input.
+  void weigh_points()
+  {
+    const Nearest_neighbors tree(m_points);
+    m_area.assign(m_points.size(), 1.);
+    parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
+      std::vector<Neighbor> near;
+      tree.find(m_points[i], density_neighbors + 1, near);
+      m_area[i] = (std::max)(near.back().squared_distance, tiny_length);
+    });
+  }
+
+  void contract(Stage& stage)
+  {
+    const double h0 = m_parameters.initial_radius > 0 ? m_parameters.initial_radius
+                                                      : 2 / std::cbrt(double(m_points.size()));
+    for(double h = h0; h <= (std::max)(h0, m_parameters.largest_radius); h += 0.5 * h0) {
+      const Sorted_grid data(m_points, 0.5 * cutoff * h);
+      for(std::size_t t = 0; t < m_parameters.inner_iterations; ++t) {
+        const double move = iterate(data, h);
+        stage.count_iteration();
+        stage.update((h - h0 + 0.5 * h0 * double(t) / double(m_parameters.inner_iterations)) /
+                     (std::max)(h0, m_parameters.largest_radius));
+        if(move < least_move)
+          break;
+      }
+      freeze();
+      if(std::find(m_is_frozen.begin(), m_is_frozen.end(), char(0)) == m_is_frozen.end())
+        break;
+    }
+  }
+
+  /// One step of equation (8) for all samples that are free; returns their mean move.
+  double iterate(const Sorted_grid& data, double h)
+  {
+    const Sorted_grid grid(m_samples, cutoff * h);
+    Points next = m_samples;
+    std::vector<double> moves(m_samples.size(), 0.);
+    parallel_for(m_execution, m_samples.size(), [&](std::size_t l) {
+      if(m_is_frozen[l])
+        return;
+      const Vec3& m = m_samples[l];
+      const double factor = 16 / (h * h), least = least_distance * h;
+      Vec3 median = Vec3::Zero();
+      double weight = 0;
+      data.for_each_neighbor_block(m, cutoff * h, [&](const Neighbor_block& block) {
+        Block_weights weights;
+        auto w = weights.column(block.size);
+        w = (-factor * block.squared_distance()).exp() /
+            block.squared_distance().max(least * least).sqrt();
+        for(int k = 0; k < block.size; ++k)
+          w[k] *= m_area[block.index[k]];
+        weight += w.sum();
+        median += Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
+      });
+      if(weight > 0)
+        next[l] += median / weight;
+
+      // sigma and the repulsion of the other samples
+      Vec3 push = Vec3::Zero();
+      Mat3 scatter = Mat3::Zero();
+      double push_weight = 0;
+      grid.for_each_neighbor(m, cutoff * h, [&](Index other, double d2) {
+        if(other == l)
+          return true;
+        const Vec3 offset = m_samples[other] - m;
+        const double theta = std::exp(-factor * d2);
+        scatter += theta * offset * offset.transpose();
+        const double beta = theta / (std::max)(d2, least * least);
+        push -= beta * offset;
+        push_weight += beta;
+        return true;
+      });
+      m_linearity[l] = linearity(scatter);
+      if(push_weight > 0)
+        next[l] += m_parameters.repulsion * m_linearity[l] * push / push_weight;
+      moves[l] = (next[l] - m).norm();
+    });
+    m_samples.swap(next);
+    double sum = 0;
+    std::size_t count = 0;
+    for(std::size_t l = 0; l < moves.size(); ++l)
+      if(!m_is_frozen[l]) {
+        sum += moves[l];
+        ++count;
+      }
+    return count > 0 ? sum / double(count) : 0;
+  }
+
+  /// sigma of equation (8): share of the largest eigenvalue.
+  static double linearity(const Mat3& scatter)
+  {
+    const double trace = scatter.trace();
+    if(!(trace > 0))
+      return 0;
+    Eigen::SelfAdjointEigenSolver<Mat3> solver;
+    solver.compute(scatter / trace, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()[2];
+  }
+
+  /// Samples whose surroundings are a curve stay: without it everything collapses.
+  void freeze()
+  {
+    const Nearest_neighbors tree(m_samples);
+    std::vector<char> next = m_is_frozen;
+    parallel_for(m_execution, m_samples.size(), [&](std::size_t l) {
+      std::vector<Neighbor> near;
+      tree.find(m_samples[l], linearity_neighbors + 1, near);
+      double sum = 0;
+      for(const Neighbor& neighbor : near)
+        sum += m_linearity[neighbor.index];
+      if(sum >= m_parameters.freezing_linearity * double(near.size()))
+        next[l] = 1;
+    });
+    m_is_frozen.swap(next);
+  }
+
+  /// Thins the samples along the rings they had on the surface.
+  Skeleton_graph graph(const Tangent_rings& rings) const
+  {
+    Skeleton_thinning thinning(
+      m_samples, rings.edges,
+      Thinning_parameters{m_parameters.sampling_radius, m_parameters.largest_merged_cycle});
+    thinning.thin();
+    std::vector<std::size_t> node_of;
+    Skeleton_graph result = thinning.graph(&node_of);
+    for(Skeleton_node& node : result.nodes)
+      node.points.clear();
+    const Nearest_neighbors tree(m_start);
+    for(std::size_t i = 0; i < m_all.size(); ++i)
+      result.nodes[node_of[tree.nearest(m_all[i]).index]].points.push_back(i);
+    const std::vector<std::vector<std::size_t> > neighbors = adjacency(result);
+    for(std::size_t i = 0; i < result.nodes.size(); ++i) {
+      const Vec3 axis = axis_at(result, neighbors, i);
+      std::vector<double> distances;
+      for(const std::size_t p : result.nodes[i].points)
+        distances.push_back(across(m_all[p] - result.nodes[i].position, axis).norm());
+      result.nodes[i].radius = median(std::move(distances));
+    }
+    if(m_parameters.extend_tips)
+      internal::extend_tips(result, m_all);
+    return to_world(result, m_frame);
+  }
+
+  Execution& m_execution;
+  L1_medial_parameters m_parameters;
+  Frame m_frame;
+  Points m_all, m_points, m_start, m_samples;
+  std::vector<double> m_area, m_linearity;
+  std::vector<char> m_is_frozen;
+};
+
+inline Skeleton_graph l1_medial_skeleton(Execution& execution, double share, const Points& world,
+                                         const L1_medial_parameters& parameters)
+{
+  Stage stage(execution, "l1-medial", share);
+  return L1_medial_skeletonization(execution, world, parameters).run(stage);
+}
+
+/// The skeletons of all segments in one graph. Segments that touch are joined between their nearest nodes, the
+/// pair of segments with the nearest points first, without cycles.
+inline Skeleton_graph l1_medial_skeleton_of_segments(Execution& execution, const Points& world,
+                                                     const std::vector<std::size_t>& labels,
+                                                     std::size_t count, bool joins,
+                                                     const L1_medial_parameters& parameters)
+{
+  constexpr std::size_t least_points = 10;  // a smaller segment is one node
+  Skeleton_graph result;
+  std::vector<std::size_t> segment_of_node;
+  std::vector<Points> parts(count);
+  for(std::size_t s = 0; s < count; ++s) {
+    std::vector<std::size_t> indices;
+    for(std::size_t i = 0; i < world.size(); ++i)
+      if(labels[i] == s) {
+        indices.push_back(i);
+        parts[s].push_back(world[i]);
+      }
+    if(indices.empty())
+      continue;
+    Skeleton_graph part;
+    const double share = double(indices.size()) / double(world.size());
+    if(indices.size() >= least_points)
+      part = l1_medial_skeleton(execution, share, parts[s], parameters);
+    else {
+      part.nodes.emplace_back();
+      for(std::size_t k = 0; k < indices.size(); ++k) {
+        part.nodes[0].position += parts[s][k] / double(indices.size());
+        part.nodes[0].points.push_back(k);
+      }
+    }
+    const std::size_t offset = result.nodes.size();
+    for(Skeleton_node& node : part.nodes) {
+      for(std::size_t& p : node.points)
+        p = indices[p];
+      result.nodes.push_back(std::move(node));
+      segment_of_node.push_back(s);
+    }
+    for(const Skeleton_edge& e : part.edges)
+      result.edges.push_back({e[0] + offset, e[1] + offset});
+  }
+  if(!joins)
+    return result;
+
+  // which segments touch: neighbours with different labels
+  constexpr std::size_t contact_neighbors = 6;
+  std::set<std::pair<std::size_t, std::size_t> > contacts;
+  const Nearest_neighbors tree(world);
+  std::vector<Neighbor> near;
+  for(std::size_t i = 0; i < world.size(); ++i) {
+    tree.find(world[i], contact_neighbors + 1, near);
+    for(const Neighbor& neighbor : near)
+      if(labels[neighbor.index] != labels[i])
+        contacts.insert({(std::min)(labels[i], labels[neighbor.index]),
+                         (std::max)(labels[i], labels[neighbor.index])});
+  }
+  struct Bridge {
+    double squared_length;
+    std::size_t a, b;
+  };
+  std::vector<Bridge> bridges;
+  for(const auto& contact : contacts) {
+    Bridge best = {std::numeric_limits<double>::max(), 0, 0};
+    for(std::size_t a = 0; a < result.nodes.size(); ++a)
+      if(segment_of_node[a] == contact.first)
+        for(std::size_t b = 0; b < result.nodes.size(); ++b)
+          if(segment_of_node[b] == contact.second) {
+            const double d2 = (result.nodes[a].position - result.nodes[b].position).squaredNorm();
+            if(d2 < best.squared_length)
+              best = {d2, a, b};
+          }
+    if(best.a != best.b)
+      bridges.push_back(best);
+  }
+  std::stable_sort(bridges.begin(), bridges.end(), [](const Bridge& x, const Bridge& y) {
+    return x.squared_length < y.squared_length;
+  });
+  Disjoint_sets sets(count);
+  for(const Bridge& bridge : bridges)
+    if(sets.join(segment_of_node[bridge.a], segment_of_node[bridge.b]))
+      result.add_edge(bridge.a, bridge.b);
+  return result;
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_H
