@@ -8,6 +8,7 @@
 #ifndef CGAL_CURVE_SKELETON_3_H
 #define CGAL_CURVE_SKELETON_3_H
 
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_edits.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_io.h>
 
@@ -126,6 +127,156 @@ std::size_t number_of_skeleton_cycles(const Curve_skeleton_3<Kernel>& skeleton)
   namespace internal = Point_set_consolidation_3::internal;
   return internal::number_of_cycles(internal::to_skeleton_graph<Kernel>(skeleton));
 }
+/*!
+  \ingroup PkgPointSetConsolidation3Ref
+
+  Edits of curve skeletons (section V and figure 14 of \cgalCite{cgal:ctowz-pcsvl-10}). Vertices are named by their
+  descriptors, which are numbers from 0. Functions that remove vertices renumber the others, in their
+  order. Wrong arguments are `std::invalid_argument`, the skeleton is then unchanged.
+*/
+namespace Curve_skeleton_editing {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <typename Kernel, typename Edit>
+void edit(Curve_skeleton_3<Kernel>& skeleton, const Edit& work)
+{
+  namespace core = Point_set_consolidation_3::internal;
+  core::Skeleton_editor editor(core::to_skeleton_graph<Kernel>(skeleton));
+  work(editor);
+  core::assign<Kernel>(skeleton, editor.result());
+}
+
+}  // namespace internal
+/// \endcond
+
+/// adds a vertex; returns its descriptor.
+template <typename Kernel>
+std::size_t add_vertex(Curve_skeleton_3<Kernel>& skeleton, const typename Kernel::Point_3& point,
+                       typename Kernel::FT radius)
+{
+  const std::size_t v = boost::add_vertex(skeleton);
+  skeleton[v].point = point;
+  skeleton[v].radius = radius;
+  return v;
+}
+
+/// moves a vertex.
+template <typename Kernel>
+void move_vertex(Curve_skeleton_3<Kernel>& skeleton, std::size_t v,
+                 const typename Kernel::Point_3& point)
+{
+  internal::edit(skeleton, [&](auto& editor) {
+    editor.move(v, Point_set_consolidation_3::internal::Vec3(
+                     CGAL::to_double(point.x()), CGAL::to_double(point.y()),
+                     CGAL::to_double(point.z())));
+  });
+}
+
+/// sets the radius of a vertex, in the unit of the skeleton; not negative, 0 if it is not known.
+template <typename Kernel>
+void set_radius(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, typename Kernel::FT radius)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.set_radius(v, CGAL::to_double(radius)); });
+}
+
+/// adds an edge, if there is none yet.
+template <typename Kernel>
+void connect(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, std::size_t w)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.connect(v, w); });
+}
+
+/// removes an edge.
+template <typename Kernel>
+void disconnect(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, std::size_t w)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.disconnect(v, w); });
+}
+
+/// removes the chain of vertices that `v` is on, up to the branch vertices at its ends.
+template <typename Kernel>
+void delete_branch(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.delete_branch(v); });
+}
+
+/// opens the shortest cycle through `v`: removes the chain of vertices that `v` is on or, if `v` is a branch vertex, the
+/// longest edge of the cycle.
+template <typename Kernel>
+void delete_cycle(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.delete_cycle(v); });
+}
+
+/// merges the shortest cycle through `v` to one vertex.
+template <typename Kernel>
+void collapse_cycle(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.collapse_cycle(v); });
+}
+
+/// removes branches that end in a tip and are shorter than `length`, the shortest first.
+template <typename Kernel>
+void prune_spurs(Curve_skeleton_3<Kernel>& skeleton, typename Kernel::FT length)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.prune_spurs(CGAL::to_double(length)); });
+}
+
+/// continues tips by their radius, to new vertices of radius 0.
+template <typename Kernel>
+void extend_tips(Curve_skeleton_3<Kernel>& skeleton)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.extend_tips(); });
+}
+
+/// sets the radii between two vertices, along the shortest path, from theirs.
+template <typename Kernel>
+void interpolate_radii(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, std::size_t w)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.interpolate(v, w); });
+}
+
+/// sets the radii of all vertices with radius 0, other than tips, from those around them: harmonically along the
+/// skeleton.
+template <typename Kernel>
+void interpolate_radii(Curve_skeleton_3<Kernel>& skeleton)
+{
+  internal::edit(skeleton, [&](auto& editor) { editor.interpolate_unknown(); });
+}
+
+/// joins components by edges between their closest vertices, the shortest first, as long as the edges are not longer
+/// than `longest`.
+/// \return the number of edges added
+template <typename Kernel>
+std::size_t bridge_components(Curve_skeleton_3<Kernel>& skeleton, typename Kernel::FT longest)
+{
+  std::size_t count = 0;
+  internal::edit(skeleton, [&](auto& editor) { count = editor.bridge(CGAL::to_double(longest)); });
+  return count;
+}
+
+/*!
+applies edits from a text, so that a repair can be kept and repeated. One edit per line, `#` begins a comment. Vertices have
+their numbers in the skeleton as it is given, whatever is removed before; added ones have the next numbers:
+
+    move V X Y Z          connect V W         remove V             radius V R
+    add X Y Z [R]         disconnect V W      delete_branch V      scale_radii FACTOR
+    prune LENGTH          bridge LENGTH       delete_cycle V       interpolate [V W]
+    extend_tips                               collapse_cycle V
+
+\throws std::invalid_argument if an edit cannot be applied; the message names the line, the skeleton is unchanged.
+*/
+template <typename Kernel>
+void apply_edits(Curve_skeleton_3<Kernel>& skeleton, std::istream& edits)
+{
+  internal::edit(skeleton, [&](auto& editor) {
+    Point_set_consolidation_3::internal::apply_edits(edits, editor);
+  });
+}
+
+}  // namespace Curve_skeleton_editing
 
 namespace IO {
 
