@@ -55,6 +55,7 @@ struct Iterative_parameters {
     p.upsampling.least_distance = 1. / 3;
     p.outliers.far_distance = 1;
     p.outliers.removes_near = false;
+    p.outliers.least_share = 0;
     p.guard.enabled = false;
     p.selection_distance = 0;
     p.takes_back_open_borders = false;
@@ -443,7 +444,8 @@ private:
         added_normals.push_back(m_normals[i]);
       }
     const std::vector<char> is_doubtful =
-      m_guard.doubtful_regions(m_execution, added, added_normals, region_radius * m_h);
+      m_guard.doubtful_regions(m_execution, added, added_normals, region_radius * m_h,
+                               m_points.size() - m_number_of_kept);
     const Nearest_neighbors data(m_kept_points);
     for(std::size_t i = 0; i < added.size(); ++i) {
       if(is_doubtful[i])

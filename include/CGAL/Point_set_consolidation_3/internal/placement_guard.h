@@ -36,6 +36,9 @@ struct Guard_parameters {
   double least_rim_cosine = 0.95;
   /// ... or if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
   double least_reach = 0.45;
+  /// Share of all added points that must pass, else all are taken back: where most extensions fail, gaps are
+  /// occlusions rather than holes, and the regions that pass are not better founded.
+  double least_accepted_share = 0.5;
 };
 
 /// Connected components, neighbours within `radius`: a label per point, in the order of their first points.
@@ -83,10 +86,11 @@ public:
            (!is_seen_through(x) && !opposes_data(x, normal) && continues_data(x));
   }
 
-  /// Flags the regions, neighbours within `radius`, of the points from `first` on that are no plausible
-  /// continuation of the data as a whole.
+  /// Flags the regions, neighbours within `radius`, that are no plausible continuation of the data as a
+  /// whole. `number_added`: how many points there were before some were taken back.
   std::vector<char> doubtful_regions(const Execution& execution, const Points& points,
-                                     const Points& normals, double radius) const
+                                     const Points& normals, double radius,
+                                     std::size_t number_added) const
   {
     constexpr double rim = 0.35;  // of h: nearer to the data than this is a region's rim
     std::vector<char> is_doubtful(points.size(), 0);
@@ -123,6 +127,10 @@ public:
         region.reach < m_parameters.least_reach * m_h ||
         region.cosine < m_parameters.least_rim_cosine * double(region.rim_points);
     }
+    const std::size_t accepted =
+      std::size_t(std::count(is_doubtful.begin(), is_doubtful.end(), char(0)));
+    if(double(accepted) < m_parameters.least_accepted_share * double(number_added))
+      std::fill(is_doubtful.begin(), is_doubtful.end(), char(1));
     return is_doubtful;
   }
 
