@@ -116,29 +116,28 @@ private:
 /// stands for. Radii that decrease linearly towards it are those of a rounded end.
 inline void extend_tips(Skeleton_graph& graph, const Points& points)
 {
-  constexpr double cap = 0.7;           // points beyond this share of the way make up the end
-  constexpr double least_length = 0.1;  // of the last edge: shorter is at the end already
+  constexpr double least_length = 0.1;   // of the last edge: shorter is at the end already
+  constexpr int direction_edges = 3;     // edges that give the direction: single ones are noisy
   const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
   const std::size_t count = graph.nodes.size();
   for(std::size_t i = 0; i < count; ++i) {
     if(neighbors[i].size() != 1 || graph.nodes[i].points.empty())
       continue;
+    std::size_t from = i, back = neighbors[i][0];
+    for(int k = 1; k < direction_edges && neighbors[back].size() == 2; ++k) {
+      const std::size_t next = neighbors[back][0] == from ? neighbors[back][1] : neighbors[back][0];
+      from = back;
+      back = next;
+    }
     const Vec3 x = graph.nodes[i].position;
-    const Vec3 direction = -axis_at(graph, neighbors, i);
+    const Vec3 direction = normalized_or(x - graph.nodes[back].position, Vec3::Zero());
     double reach = 0;
     for(const std::size_t p : graph.nodes[i].points)
       reach = (std::max)(reach, (points[p] - x).dot(direction));
     if(reach <= least_length * (graph.nodes[neighbors[i][0]].position - x).norm())
       continue;
-    Vec3 offset = Vec3::Zero();
-    std::size_t end_points = 0;
-    for(const std::size_t p : graph.nodes[i].points)
-      if((points[p] - x).dot(direction) >= cap * reach) {
-        offset += across(points[p] - x, direction);
-        ++end_points;
-      }
     Skeleton_node tip;
-    tip.position = x + reach * direction + offset / double(end_points);
+    tip.position = x + reach * direction;
     graph.nodes.push_back(tip);
     graph.add_edge(i, graph.nodes.size() - 1);
   }
