@@ -25,7 +25,12 @@ constexpr int samples_per_axis = 3;
 constexpr int max_size = 32000;
 
 /// What a sample shows.
-enum Kind : std::uint8_t { nothing, shaded, plain };
+enum Kind : std::uint8_t { nothing, shaded, plain, front_splat, back_splat };
+
+bool is_lit(std::uint8_t kind)
+{
+  return kind != nothing && kind != plain;
+}
 
 // ---- colors ---------------------------------------------------------------------------------
 
@@ -210,8 +215,8 @@ std::vector<double> local_radii(const std::vector<Vec3>& points, double spacing)
         from[2] -= 1;
         Index last = from;
         last[2] += 2;
-        auto entry =
-            std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(from, std::size_t(0)));
+        auto entry
+            = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(from, std::size_t(0)));
         for(; entry != sorted.end() && entry->first <= last; ++entry) {
           const double d = (points[entry->second] - points[query.second]).squaredNorm();
           if(d == 0 || d >= nearest.back())
@@ -235,8 +240,8 @@ const Color& color_of(const std::vector<Color>& colors, std::size_t i, const Col
 void check_count(const char* what, std::size_t count, std::size_t expected)
 {
   if(count != 0 && count != expected) {
-    throw std::invalid_argument("Picture: " + std::to_string(count) + " " + what + " instead of " +
-                                std::to_string(expected));
+    throw std::invalid_argument("Picture: " + std::to_string(count) + " " + what + " instead of "
+                                + std::to_string(expected));
   }
 }
 
@@ -306,10 +311,10 @@ Camera fit_camera(const std::vector<Vec3>& points, const Vec3& view_direction, c
 /// From the scene to samples: x to the right, y downwards, z towards the eye.
 struct Picture::View {
   View(const Camera& camera, int width, int height)
-      : origin(camera.centre),
-        half_width(0.5 * width),
-        half_height(0.5 * height),
-        scale(std::min(width / camera.width, height / camera.height))
+    : origin(camera.centre),
+      half_width(0.5 * width),
+      half_height(0.5 * height),
+      scale(std::min(width / camera.width, height / camera.height))
   {
     axes << camera.right().transpose(), camera.up.transpose(), -camera.view.transpose();
   }
@@ -333,9 +338,9 @@ struct Picture::View {
 class Picture::Painter {
 public:
   Painter(const Picture& picture)
-      : m_samples(picture.m_samples),
-        m_columns(picture.m_width * samples_per_axis),
-        m_rows(picture.m_height * samples_per_axis)
+    : m_samples(picture.m_samples),
+      m_columns(picture.m_width * samples_per_axis),
+      m_rows(picture.m_height * samples_per_axis)
   {
     if(m_samples.empty())
       m_samples.resize(std::size_t(m_columns) * m_rows);
@@ -392,23 +397,63 @@ public:
     });
   }
 
-  /// The disc bends away from the eye towards its rim, so that of two that overlap the one with the
-  /// nearer centre is seen, as in a Voronoi diagram.
-  void disc(const Vec3& centre, double radius, const Eigen::Vector3f& normal,
-            const std::array<std::uint8_t, 3>& color, Kind kind)
+  /// Calls f(x, y, depth, squared distance to the centre) for the samples of a disc.
+  template <typename Function>
+  void disc(const Vec3& centre, double radius, const Eigen::Vector3f& normal, const Function& f)
   {
-    constexpr float bend = 0.3f;
     constexpr float min_slope = 0.02f;  // seen from the side, a disc is a line
-    const float r = float(radius);
+    const float r2 = static_cast<float>(radius * radius);
     const float nz = std::max(normal.z(), min_slope);
     around(centre, radius, [&](int x, int y, float dx, float dy) {
       const float dz = -(normal.x() * dx - normal.y() * dy) / nz;
       const float distance2 = dx * dx + dy * dy + dz * dz;
-      if(distance2 > r * r)
-        return;
-      const float depth = float(centre.z()) + dz - bend * distance2 / r;
+      if(distance2 <= r2)
+        f(x, y, static_cast<float>(centre.z()) + dz, distance2);
+    });
+  }
+
+  void plain_disc(const Vec3& centre, double radius, const Eigen::Vector3f& normal,
+                  const std::array<std::uint8_t, 3>& color)
+  {
+    // Bent away from the eye towards its rim, so that of two that overlap the one with the nearer
+    // centre is seen, as in a Voronoi diagram.
+    constexpr float bend = 0.3f;
+    const float r = static_cast<float>(radius);
+    disc(centre, radius, normal, [&](int x, int y, float depth, float distance2) {
+      depth -= bend * distance2 / r;
       if(!is_hidden(x, y, depth))
-        put(x, y, depth, normal, color, kind);
+        put(x, y, depth, normal, color, plain);
+    });
+  }
+
+  /// Where discs overlap at nearly the same depth, their normals and colors are averaged with
+  /// weights that vanish at the rims: the surface looks as smooth as its points are.
+  void splat(const Vec3& centre, double radius, const Eigen::Vector3f& normal,
+             const std::array<std::uint8_t, 3>& color, Kind side)
+  {
+    constexpr float same_surface = 0.5f;  // difference in depth, in radii
+    constexpr float least_weight = 0.01f;
+    const float r = static_cast<float>(radius);
+    disc(centre, radius, normal, [&](int x, int y, float depth, float distance2) {
+      Sample& s = m_samples[static_cast<std::size_t>(y) * m_columns + x];
+      const float weight = 1 - distance2 / (r * r) + least_weight;
+      if(s.kind != side || std::abs(depth - s.depth) > same_surface * r) {
+        if(s.kind == nothing || depth > s.depth) {
+          put(x, y, depth, normal, color, side);
+          s.weight = weight;
+        }
+        return;
+      }
+      const float sum = s.weight + weight;
+      const float share = weight / sum;
+      s.depth += share * (depth - s.depth);
+      s.normal_x += static_cast<std::int16_t>(share * (normal.x() * 32767 - s.normal_x));
+      s.normal_y += static_cast<std::int16_t>(share * (normal.y() * 32767 - s.normal_y));
+      for(int k = 0; k < 3; ++k) {
+        s.color[k] = static_cast<std::uint8_t>(
+            s.color[k] + share * (static_cast<float>(color[k]) - s.color[k]) + 0.5f);
+      }
+      s.weight = sum;
     });
   }
 
@@ -471,8 +516,8 @@ private:
 Picture::Picture(int width, int height, const Color& background) : m_width(width), m_height(height)
 {
   if(width < 1 || height < 1 || width > max_size || height > max_size) {
-    throw std::invalid_argument("Picture: a size of " + std::to_string(width) + " x " +
-                                std::to_string(height) + " pixels");
+    throw std::invalid_argument("Picture: a size of " + std::to_string(width) + " x "
+                                + std::to_string(height) + " pixels");
   }
   m_image.resize(3 * std::size_t(width) * height);
   fill_rectangle(0, 0, width, height, background);
@@ -506,8 +551,8 @@ void Picture::draw_mesh(const Triangle_mesh& mesh, const Camera& camera, const M
     std::array<Eigen::Vector3f, 3> tint;
     for(int k = 0; k < 3; ++k) {
       normal[k] = facing * view.turn(normals[f][k].cast<double>());
-      const Color& own =
-          color_of(style.face_colors, f, color_of(style.vertex_colors, face[k], style.color));
+      const Color& own
+          = color_of(style.face_colors, f, color_of(style.vertex_colors, face[k], style.color));
       const Color& shown = front ? own : style.back_color;
       tint[k] = 255 * Eigen::Vector3f(float(shown.red), float(shown.green), float(shown.blue));
     }
@@ -552,8 +597,8 @@ void Picture::draw_mesh(const Triangle_mesh& mesh, const Camera& camera, const M
         const float depth = w[0] * float(a.z()) + w[1] * float(b.z()) + w[2] * float(c.z());
         if(painter.is_hidden(x, y, depth))
           continue;
-        const Eigen::Vector3f n =
-            (w[0] * normal[0] + w[1] * normal[1] + w[2] * normal[2]).normalized();
+        const Eigen::Vector3f n
+            = (w[0] * normal[0] + w[1] * normal[1] + w[2] * normal[2]).normalized();
         auto shown = color;
         if(!one_color) {
           const Eigen::Vector3f mixed = w[0] * tint[0] + w[1] * tint[1] + w[2] * tint[2];
@@ -605,10 +650,14 @@ void Picture::draw_points(const std::vector<Vec3>& points, const std::vector<Vec
       n = view.turn(normals[i].stableNormalized());
     if(!n.allFinite() || n.isZero())
       painter.ball(p, samples, color, kind);
+    else if(n.z() >= 0 && style.shaded)
+      painter.splat(p, samples, n, color, front_splat);
     else if(n.z() >= 0)
-      painter.disc(p, samples, n, color, kind);
+      painter.plain_disc(p, samples, n, color);
+    else if(n.z() < least_turned_away && style.shaded)
+      painter.splat(p, samples, -n, to_bytes(style.back_color), back_splat);
     else if(n.z() < least_turned_away)
-      painter.disc(p, samples, -n, to_bytes(style.back_color), kind);
+      painter.plain_disc(p, samples, -n, to_bytes(style.back_color));
   }
 }
 
@@ -619,16 +668,16 @@ void Picture::draw_segments(const Segment_graph& graph, const Camera& camera,
   // Many rods are drawn thinner, or they hide each other.
   constexpr double default_share = 1. / 250, least_share = 1. / 900;
   constexpr double few = 200;
-  const double share =
-      default_share * std::sqrt(few / std::max(few, static_cast<double>(graph.edges.size())));
+  const double share
+      = default_share * std::sqrt(few / std::max(few, static_cast<double>(graph.edges.size())));
 
   Painter painter(*this);
   const View view(camera, painter.columns(), painter.rows());
-  const double radius =
-      style.radius > 0 ? view.scale * style.radius
-                       : std::max(share, least_share) * std::min(painter.columns(), painter.rows());
-  const double node_radius =
-      style.node_radius > 0 ? std::max(view.scale * style.node_radius, radius) : radius;
+  const double radius = style.radius > 0 ? view.scale * style.radius
+                                         : std::max(share, least_share)
+                                               * std::min(painter.columns(), painter.rows());
+  const double node_radius
+      = style.node_radius > 0 ? std::max(view.scale * style.node_radius, radius) : radius;
   std::vector<Vec3> place(graph.vertices.size());
   for(std::size_t v = 0; v < place.size(); ++v) {
     place[v] = view.place(graph.vertices[v]);
@@ -667,14 +716,13 @@ std::vector<float> Picture::openness() const
   const int columns = m_width * samples_per_axis;
   for(int y = 0; y < m_height; ++y) {
     for(int x = 0; x < m_width; ++x) {
-      const Sample& s =
-          m_samples[std::size_t(samples_per_axis * y + samples_per_axis / 2) * columns +
-                    samples_per_axis * x + samples_per_axis / 2];
+      const Sample& s = m_samples[std::size_t(samples_per_axis * y + samples_per_axis / 2) * columns
+                                  + samples_per_axis * x + samples_per_axis / 2];
       Surfel& t = surfels[std::size_t(y) * m_width + x];
       t.depth = s.depth / samples_per_axis;
       const float nx = s.normal_x / 32767.f, ny = s.normal_y / 32767.f;
       t.normal = {nx, ny, std::sqrt(std::max(0.f, 1 - nx * nx - ny * ny))};
-      t.is_shaded = s.kind == shaded;
+      t.is_shaded = is_lit(s.kind);
     }
   }
 
@@ -717,8 +765,8 @@ std::vector<float> Picture::openness() const
           hidden += rise / (1 + far * far * far);
         }
       }
-      open[std::size_t(y) * m_width + x] =
-          std::max(0.f, 1 - strength * hidden / (directions * rings));
+      open[std::size_t(y) * m_width + x]
+          = std::max(0.f, 1 - strength * hidden / (directions * rings));
     }
   }
 
@@ -739,8 +787,8 @@ std::vector<float> Picture::openness() const
           weight += 1;
         }
       }
-      smooth[std::size_t(y) * m_width + x] =
-          weight > 0 ? sum / weight : open[std::size_t(y) * m_width + x];
+      smooth[std::size_t(y) * m_width + x]
+          = weight > 0 ? sum / weight : open[std::size_t(y) * m_width + x];
     }
   }
   return smooth;
@@ -770,8 +818,8 @@ void Picture::flatten() const
       Vector3f sum(0, 0, 0);
       int empty = 0;
       for(int j = 0; j < samples_per_axis; ++j) {
-        const Sample* row = &m_samples[std::size_t(samples_per_axis * y + j) * columns +
-                                       std::size_t(samples_per_axis) * x];
+        const Sample* row = &m_samples[std::size_t(samples_per_axis * y + j) * columns
+                                       + std::size_t(samples_per_axis) * x];
         for(int i = 0; i < samples_per_axis; ++i) {
           const Sample& s = row[i];
           if(s.kind == nothing) {
@@ -779,7 +827,7 @@ void Picture::flatten() const
             continue;
           }
           Vector3f light(linear[s.color[0]], linear[s.color[1]], linear[s.color[2]]);
-          if(s.kind == shaded) {
+          if(is_lit(s.kind)) {
             const float nx = s.normal_x / 32767.f, ny = s.normal_y / 32767.f;
             const Vector3f n(nx, ny, std::sqrt(std::max(0.f, 1 - nx * nx - ny * ny)));
             const float o = open[std::size_t(y) * m_width + x];
@@ -788,8 +836,8 @@ void Picture::flatten() const
             float shine = std::max(0.f, n.dot(key_half));
             for(int k = 0; k < gloss_squarings; ++k)
               shine *= shine;
-            const float direct =
-                key_light * std::max(0.f, n.dot(key)) + fill_light * std::max(0.f, n.dot(fill));
+            const float direct
+                = key_light * std::max(0.f, n.dot(key)) + fill_light * std::max(0.f, n.dot(fill));
             // Folds are darker for the sky than for the lamp.
             light *= ambient * o * o + direct * (0.45f + 0.55f * o);
             light.array() += gloss * shine * o;
@@ -970,8 +1018,8 @@ void write_panels(const std::string& png, const std::vector<Panel>& panels,
 
   std::vector<Picture> pictures;
   for(const Panel& panel : panels) {
-    const int title_width =
-        int(std::ceil(Picture::label_width(panel.title, text_height) + 2 * text_height));
+    const int title_width
+        = int(std::ceil(Picture::label_width(panel.title, text_height) + 2 * text_height));
     const int width = std::max(shortest, title_width);
     Picture scene(width, panel_height);
     if(!panel.mesh.faces.empty()) {

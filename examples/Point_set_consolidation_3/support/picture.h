@@ -69,8 +69,8 @@ struct Point_style {
   Color color = colors::scan;
   Color back_color = colors::inside;
   std::vector<Color> point_colors;  ///< empty or one per point; replaces `color`
-  double radius =
-      0;  ///< in the units of the scene; 0: derived from the spacing (discs: from the local one)
+  double radius
+      = 0;  ///< in the units of the scene; 0: derived from the spacing (discs: from the local one)
   bool shaded = true;  ///< false: plain color, as in a map
 };
 
@@ -106,7 +106,7 @@ public:
 
   void draw_mesh(const Triangle_mesh& mesh, const Camera& camera, const Mesh_style& style = {});
 
-  /// Discs orthogonal to their normals; balls if `normals` is empty.
+  /// Discs orthogonal to their normals, blended into a surface; balls if `normals` is empty.
   void draw_points(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
                    const Camera& camera, const Point_style& style = {});
 
@@ -142,6 +142,7 @@ private:
     std::int16_t normal_x = 0, normal_y = 0;  ///< of 32767; z is positive
     std::array<std::uint8_t, 3> color{};
     std::uint8_t kind = 0;
+    float weight = 0;  ///< of the discs that are averaged here
   };
   struct View;
   class Painter;

@@ -51,11 +51,11 @@ public:
   };
   using Base::Base;
 
-  std::size_t time_stamp() const { return number_; }
-  void set_time_stamp(std::size_t number) { number_ = number; }
+  std::size_t time_stamp() const { return m_number; }
+  void set_time_stamp(std::size_t number) { m_number = number; }
 
 private:
-  std::size_t number_ = std::size_t(-1);
+  std::size_t m_number = std::size_t(-1);
 };
 
 // CGAL's Surface_mesh_default_triangulation_3, numbered.
@@ -100,17 +100,17 @@ constexpr std::size_t max_evaluations_per_point = 2000;
 class Quiet_and_deterministic {
 public:
   Quiet_and_deterministic()
-      : random_(CGAL::get_default_random()),
-        handler_(CGAL::set_error_handler(&be_silent)),
-        buffer_(std::cerr.rdbuf(nullptr))
+    : m_random(CGAL::get_default_random()),
+      m_handler(CGAL::set_error_handler(&be_silent)),
+      m_buffer(std::cerr.rdbuf(nullptr))
   {
     CGAL::get_default_random() = CGAL::Random(0);
   }
   ~Quiet_and_deterministic()
   {
-    CGAL::get_default_random() = random_;
-    CGAL::set_error_handler(handler_);
-    std::cerr.rdbuf(buffer_);  // also clears the error state that writing to no buffer has set
+    CGAL::get_default_random() = m_random;
+    CGAL::set_error_handler(m_handler);
+    std::cerr.rdbuf(m_buffer);  // also clears the error state that writing to no buffer has set
   }
   Quiet_and_deterministic(const Quiet_and_deterministic&) = delete;
   Quiet_and_deterministic& operator=(const Quiet_and_deterministic&) = delete;
@@ -118,9 +118,9 @@ public:
 private:
   static void be_silent(const char*, const char*, const char*, int, const char*) {}
 
-  CGAL::Random random_;
-  CGAL::Failure_function handler_;
-  std::streambuf* buffer_;
+  CGAL::Random m_random;
+  CGAL::Failure_function m_handler;
+  std::streambuf* m_buffer;
 };
 
 /// Points are shifted to their box's centre and scaled to unit spacing, so that no absolute
@@ -136,18 +136,18 @@ struct Frame {
 void check_input(const std::vector<Vec3>& points, const std::vector<Vec3>& normals)
 {
   if(points.size() != normals.size())
-    throw Method_error("poisson_mesh: " + std::to_string(points.size()) + " points but " +
-                       std::to_string(normals.size()) + " normals");
+    throw Method_error("poisson_mesh: " + std::to_string(points.size()) + " points but "
+                       + std::to_string(normals.size()) + " normals");
   if(points.size() < 4)
     throw Method_error("poisson_mesh: fewer than 4 points");
   for(std::size_t i = 0; i < points.size(); ++i) {
     if(!points[i].allFinite())
-      throw Method_error("poisson_mesh: a coordinate of point " + std::to_string(i) +
-                         " is not finite");
+      throw Method_error("poisson_mesh: a coordinate of point " + std::to_string(i)
+                         + " is not finite");
     const double length = normals[i].stableNorm();
     if(!std::isfinite(length))
-      throw Method_error("poisson_mesh: a coordinate of normal " + std::to_string(i) +
-                         " is not finite");
+      throw Method_error("poisson_mesh: a coordinate of normal " + std::to_string(i)
+                         + " is not finite");
     if(!(length > 0))
       throw Method_error("poisson_mesh: normal " + std::to_string(i) + " has length zero");
   }
@@ -185,8 +185,8 @@ bool is_flat(const std::vector<Vec3>& points)
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for(const Vec3& p : points)
     covariance += (p - mean) * (p - mean).transpose();
-  const Vec3 normal =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
+  const Vec3 normal
+      = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
   double thickness = 0, extent = 0;
   for(const Vec3& p : points) {
     thickness = std::max(thickness, std::abs(normal.dot(p - mean)));
@@ -231,8 +231,8 @@ private:
   /// more) on it.
   static void cut_weights(Sparse& A)
   {
-    constexpr double max_weight =
-        1e4;  // times the median diagonal; a well-shaped tetrahedron's weights are below 1
+    constexpr double max_weight
+        = 1e4;  // times the median diagonal; a well-shaped tetrahedron's weights are below 1
     std::vector<double> diagonal(A.rows());
     for(int i = 0; i < A.rows(); ++i)
       diagonal[i] = A.coeff(i, i);
@@ -262,10 +262,10 @@ private:
 /// size?
 class Point_grid {
 public:
-  Point_grid(const std::vector<Vec3>& points, double cell) : points_(points), cell_(cell)
+  Point_grid(const std::vector<Vec3>& points, double cell) : m_points(points), m_cell(cell)
   {
     for(std::size_t i = 0; i < points.size(); ++i)
-      cells_[key(index(points[i]), 0, 0, 0)].push_back(i);
+      m_cells[key(index(points[i]), 0, 0, 0)].push_back(i);
   }
 
   bool has_point_near(const Vec3& x) const
@@ -274,11 +274,11 @@ public:
     for(int dx = -1; dx <= 1; ++dx)
       for(int dy = -1; dy <= 1; ++dy)
         for(int dz = -1; dz <= 1; ++dz) {
-          const auto found = cells_.find(key(centre, dx, dy, dz));
-          if(found == cells_.end())
+          const auto found = m_cells.find(key(centre, dx, dy, dz));
+          if(found == m_cells.end())
             continue;
           for(std::size_t i : found->second)
-            if((points_[i] - x).squaredNorm() <= cell_ * cell_)
+            if((m_points[i] - x).squaredNorm() <= m_cell * m_cell)
               return true;
         }
     return false;
@@ -289,20 +289,20 @@ private:
 
   Index index(const Vec3& x) const
   {
-    return {std::int64_t(std::floor(x[0] / cell_)), std::int64_t(std::floor(x[1] / cell_)),
-            std::int64_t(std::floor(x[2] / cell_))};
+    return {std::int64_t(std::floor(x[0] / m_cell)), std::int64_t(std::floor(x[1] / m_cell)),
+            std::int64_t(std::floor(x[2] / m_cell))};
   }
   /// 21 bits per axis; cells that share a key only cost time, the distance decides.
   static std::uint64_t key(const Index& i, int dx, int dy, int dz)
   {
     constexpr std::uint64_t mask = (std::uint64_t(1) << 21) - 1;
-    return (std::uint64_t(i[0] + dx) & mask) << 42 | (std::uint64_t(i[1] + dy) & mask) << 21 |
-           (std::uint64_t(i[2] + dz) & mask);
+    return (std::uint64_t(i[0] + dx) & mask) << 42 | (std::uint64_t(i[1] + dy) & mask) << 21
+           | (std::uint64_t(i[2] + dz) & mask);
   }
 
-  const std::vector<Vec3>& points_;
-  double cell_;
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
+  const std::vector<Vec3>& m_points;
+  double m_cell;
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> m_cells;
 };
 
 struct Too_many_evaluations : std::exception {};
@@ -317,44 +317,44 @@ public:
   using Cell = Tetrahedra::Cell_handle;
 
   Implicit_function(const Tetrahedra& tetrahedra, std::size_t max_evaluations)
-      : tetrahedra_(tetrahedra), budget_(max_evaluations)
+    : m_tetrahedra(tetrahedra), m_budget(max_evaluations)
   {
     std::size_t count = 0;
     for(auto c = tetrahedra.all_cells_begin(); c != tetrahedra.all_cells_end(); ++c)
       c->info() = tetrahedra.is_infinite(c) ? -1 : int(count++);
-    pieces_.resize(count);
+    m_pieces.resize(count);
     for(auto c = tetrahedra.finite_cells_begin(); c != tetrahedra.finite_cells_end(); ++c)
-      pieces_[c->info()] = linear_piece(c);
+      m_pieces[c->info()] = linear_piece(c);
     for(auto v = tetrahedra.finite_vertices_begin(); v != tetrahedra.finite_vertices_end(); ++v)
-      extent_ = std::max(extent_, position(v).norm());
-    hint_ = tetrahedra.finite_cells_begin();
+      m_extent = std::max(m_extent, position(v).norm());
+    m_hint = tetrahedra.finite_cells_begin();
   }
 
   double operator()(const Point_3& p)
   {
-    if(budget_ == 0)
+    if(m_budget == 0)
       throw Too_many_evaluations();
-    --budget_;
-    hint_ = tetrahedra_.locate(Tetrahedra::Point(p), hint_);
-    if(tetrahedra_.is_infinite(hint_))
+    --m_budget;
+    m_hint = m_tetrahedra.locate(Tetrahedra::Point(p), m_hint);
+    if(m_tetrahedra.is_infinite(m_hint))
       return 1;
-    const Piece& piece = pieces_[hint_->info()];
+    const Piece& piece = m_pieces[m_hint->info()];
     return piece.value + piece.gradient.dot(Vec3(p.x(), p.y(), p.z()) - piece.origin);
   }
 
-  void set_budget(std::size_t evaluations) { budget_ = evaluations; }
-  const Tetrahedra& tetrahedra() const { return tetrahedra_; }
+  void set_budget(std::size_t evaluations) { m_budget = evaluations; }
+  const Tetrahedra& tetrahedra() const { return m_tetrahedra; }
 
   /// Radius of the sphere around the origin that holds all tetrahedra.
-  double extent() const { return extent_; }
+  double extent() const { return m_extent; }
 
   /// Index of the finite cell that holds p; -1 if there is none.
   int cell_of(const Vec3& p)
   {
-    hint_ = tetrahedra_.locate(Tetrahedra::Point(Point_3(p.x(), p.y(), p.z())), hint_);
-    return hint_->info();
+    m_hint = m_tetrahedra.locate(Tetrahedra::Point(Point_3(p.x(), p.y(), p.z())), m_hint);
+    return m_hint->info();
   }
-  std::size_t number_of_cells() const { return pieces_.size(); }
+  std::size_t number_of_cells() const { return m_pieces.size(); }
 
   static Vec3 position(Tetrahedra::Vertex_handle v)
   {
@@ -385,11 +385,11 @@ private:
     return {origin, gradient, c->vertex(3)->f()};
   }
 
-  const Tetrahedra& tetrahedra_;
-  std::size_t budget_;
-  std::vector<Piece> pieces_;
-  double extent_ = 0;
-  Cell hint_;
+  const Tetrahedra& m_tetrahedra;
+  std::size_t m_budget;
+  std::vector<Piece> m_pieces;
+  double m_extent = 0;
+  Cell m_hint;
 };
 
 /// The zero set, cell by cell: which cells it crosses, and which of them are joined through faces
@@ -409,14 +409,14 @@ struct Iso_surface {
 
 class Union_find {
 public:
-  explicit Union_find(std::size_t n) : parent_(n)
+  explicit Union_find(std::size_t n) : m_parent(n)
   {
-    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
   }
   std::size_t root(std::size_t i)
   {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
+    while(m_parent[i] != i)
+      i = m_parent[i] = m_parent[m_parent[i]];
     return i;
   }
   void join(std::size_t i, std::size_t j)
@@ -425,21 +425,21 @@ public:
     j = root(j);
     // The smaller index becomes the root: components are then numbered by their first member.
     if(i < j)
-      parent_[j] = i;
+      m_parent[j] = i;
     else
-      parent_[i] = j;
+      m_parent[i] = j;
   }
 
 private:
-  std::vector<std::size_t> parent_;
+  std::vector<std::size_t> m_parent;
 };
 
 /// Point of the zero set on the edge from an inside vertex to an outside vertex.
 Vec3 zero_on_edge(Tetrahedra::Vertex_handle inside, Tetrahedra::Vertex_handle outside)
 {
   const double t = inside->f() / (inside->f() - outside->f());
-  return Implicit_function::position(inside) +
-         t * (Implicit_function::position(outside) - Implicit_function::position(inside));
+  return Implicit_function::position(inside)
+         + t * (Implicit_function::position(outside) - Implicit_function::position(inside));
 }
 
 Iso_surface trace_iso_surface(const Implicit_function& function, const Point_grid& data)
@@ -454,8 +454,8 @@ Iso_surface trace_iso_surface(const Implicit_function& function, const Point_gri
     int zeros = 0;
     for(int i = 0; i < 4; ++i)
       for(int j = 0; j < 4; ++j)
-        if(Implicit_function::is_inside(c->vertex(i)) &&
-           !Implicit_function::is_inside(c->vertex(j))) {
+        if(Implicit_function::is_inside(c->vertex(i))
+           && !Implicit_function::is_inside(c->vertex(j))) {
           sum += zero_on_edge(c->vertex(i), c->vertex(j));
           ++zeros;
         }
@@ -509,8 +509,8 @@ void sample_farthest_points(const std::vector<Vec3>& candidates, std::size_t cou
   for(const Vec3& p : chosen)
     look_at(p);
   while(chosen.size() < count) {
-    const std::size_t farthest =
-        std::max_element(distance.begin(), distance.end()) - distance.begin();
+    const std::size_t farthest
+        = std::max_element(distance.begin(), distance.end()) - distance.begin();
     if(distance[farthest] == 0)
       return;
     chosen.push_back(candidates[farthest]);
@@ -539,8 +539,8 @@ Seeds spread_seeds(const Iso_surface& surface, std::size_t count)
   const std::size_t stride = 1 + total / max_seed_candidates;
   std::vector<Vec3> candidates;
   for(const auto& all : per_component) {
-    const std::size_t step =
-        std::max<std::size_t>(1, std::min(stride, all.size() / (4 * min_seeds_per_component)));
+    const std::size_t step
+        = std::max<std::size_t>(1, std::min(stride, all.size() / (4 * min_seeds_per_component)));
     for(std::size_t i = 0; i < all.size(); i += step)
       candidates.push_back(all[i]);
   }
@@ -629,8 +629,8 @@ Triangle_mesh marching_tetrahedra(const Iso_surface& surface)
   Triangle_mesh mesh;
   std::unordered_map<std::pair<const void*, const void*>, std::size_t, Pair_hash> vertex_index;
   const auto index_of = [&](Vertex inside, Vertex outside) {
-    const auto inserted =
-        vertex_index.emplace(std::make_pair(&*inside, &*outside), mesh.vertices.size());
+    const auto inserted
+        = vertex_index.emplace(std::make_pair(&*inside, &*outside), mesh.vertices.size());
     if(inserted.second)
       mesh.vertices.push_back(zero_on_edge(inside, outside));
     return inserted.first->second;
@@ -793,8 +793,8 @@ std::vector<Vec3> points_off_mesh(const std::vector<Vec3>& points, const Triangl
     for(std::size_t i = std::lower_bound(x.begin(), x.end(), low.x()) - x.begin();
         i < x.size() && x[i] <= high.x(); ++i) {
       const Vec3& p = points[by_x[i]];
-      if(near[by_x[i]] || p.y() < low.y() || p.y() > high.y() || p.z() < low.z() ||
-         p.z() > high.z())
+      if(near[by_x[i]] || p.y() < low.y() || p.y() > high.y() || p.z() < low.z()
+         || p.z() > high.z())
         continue;
       near[by_x[i]] = squared_distance_to_triangle(p, a, b, c) <= distance * distance;
     }
@@ -823,8 +823,8 @@ Triangle_mesh mesh_iso_surface(Implicit_function& function, const Iso_surface& s
       // seeds are worth their time only while they help.
       for(;;) {
         function.set_budget(max_evaluations);
-        Triangle_mesh mesh =
-            keep_data_components(refine(function, seeds.points, options), surface, function);
+        Triangle_mesh mesh
+            = keep_data_components(refine(function, seeds.points, options), surface, function);
         if(mesh.empty() || !is_closed_manifold(mesh))
           break;
         const std::vector<Vec3> missing = points_off_mesh(seeds.checks, mesh, missing_distance);
@@ -840,7 +840,8 @@ Triangle_mesh mesh_iso_surface(Implicit_function& function, const Iso_surface& s
     } catch(const CGAL::Failure_exception&) {
       // "... is already inserted on surface": the mesher cannot separate two points.
     } catch(const Too_many_evaluations&) {
-      // The mesher does not come to an end.
+      // The mesher does not come to an end, with fewer seeds neither.
+      attempt = max_attempts;
     }
     if(!best.empty())
       return best;
@@ -884,7 +885,7 @@ Triangle_mesh poisson_mesh(const std::vector<Vec3>& points, const std::vector<Ve
   const double spacing = options.spacing > 0
                              ? options.spacing / diagonal
                              : CGAL::compute_average_spacing<CGAL::Sequential_tag>(
-                                   oriented, 6, CGAL::parameters::point_map(point_map));
+                                 oriented, 6, CGAL::parameters::point_map(point_map));
   if(!(spacing > 0) || !std::isfinite(1 / spacing))
     throw Method_error("poisson_mesh: the points' spacing is zero");
 
@@ -898,8 +899,8 @@ Triangle_mesh poisson_mesh(const std::vector<Vec3>& points, const std::vector<Ve
   if(is_flat(local))
     throw Method_error("poisson_mesh: the points lie on a plane or a line");
 
-  const std::size_t max_evaluations =
-      max_evaluations_per_point * std::max<std::size_t>(distinct.size(), 1000);
+  const std::size_t max_evaluations
+      = max_evaluations_per_point * std::max<std::size_t>(distinct.size(), 1000);
   Triangle_mesh mesh;
   try {
     Poisson_function poisson(oriented.begin(), oriented.end(), point_map, normal_map);
@@ -908,13 +909,13 @@ Triangle_mesh poisson_mesh(const std::vector<Vec3>& points, const std::vector<Ve
     Implicit_function function(poisson.tr(), max_evaluations);
     const Point_grid data(local, data_distance);
     const Iso_surface surface = trace_iso_surface(function, data);
-    if(std::find(surface.carries_data.begin(), surface.carries_data.end(), char(true)) ==
-       surface.carries_data.end())
+    if(std::find(surface.carries_data.begin(), surface.carries_data.end(), char(true))
+       == surface.carries_data.end())
       throw Method_error("poisson_mesh: the implicit function has no zero set near the points");
     mesh = mesh_iso_surface(function, surface, options, max_evaluations);
   } catch(const CGAL::Failure_exception& e) {
-    throw Method_error("poisson_mesh: the implicit function could not be computed (" + e.message() +
-                       ")");
+    throw Method_error("poisson_mesh: the implicit function could not be computed (" + e.message()
+                       + ")");
   }
   if(mesh.empty())
     throw Method_error("poisson_mesh: there is no surface");

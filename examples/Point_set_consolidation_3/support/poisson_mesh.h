@@ -17,8 +17,8 @@ struct Poisson_options {
   double angle = 20;        ///< lower bound of the facets' angles, in degrees
   double radius = 30;       ///< upper bound of the radii of the facets' Delaunay balls
   double distance = 0.375;  ///< upper bound of the distance between facet and iso-surface
-  double spacing =
-      0;  ///< unit of the lengths; 0: average spacing of the points to their 6 neighbours
+  double spacing
+      = 0;  ///< unit of the lengths; 0: average spacing of the points to their 6 neighbours
   std::size_t seeds = 500;  ///< initial points of the mesher, spread over the iso-surface
 };
 
