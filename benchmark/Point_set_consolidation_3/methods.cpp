@@ -10,11 +10,13 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/jet_estimate_normals.h>
+#include <CGAL/iterative_consolidate_point_set.h>
 #include <CGAL/jet_smooth_point_set.h>
 #include <CGAL/property_map.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
 
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace benchmark {
@@ -107,6 +109,33 @@ Method_result wlop(const Point_cloud& scan)
   return with_normals(positions, directions);
 }
 
+/// The scan's points without outliers, and new ones in large smooth holes.
+Method_result iterative(const Point_cloud& scan)
+{
+  std::vector<Point_3> points;
+  std::vector<Vector_3> directions;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const Vec3& d = scan.directions[i];
+    points.push_back(to_cgal(scan.points[i]));
+    directions.emplace_back(d.x(), d.y(), d.z());
+    indices.push_back(i);
+  }
+  std::vector<Point_with_normal> result;
+  CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
+      indices, std::back_inserter(result),
+      CGAL::Point_set_consolidation_3::parameters::point_map(CGAL::make_property_map(points))
+          .geom_traits(Kernel())
+          .view_direction_map(CGAL::make_property_map(directions))
+          .view_index_map(CGAL::make_property_map(scan.views)));
+  Method_result oriented;
+  for (const Point_with_normal& p : result) {
+    oriented.points.push_back(to_eigen(p.first));
+    oriented.normals.push_back(to_eigen(p.second));
+  }
+  return oriented;
+}
+
 }  // namespace
 
 const std::vector<Method>& methods()
@@ -115,6 +144,7 @@ const std::vector<Method>& methods()
       {"direct", "the scan's points, CGAL's jet normals turned towards the scanner", direct, true},
       {"smoothed", "CGAL's jet smoothing of the scan's points, then as direct", smoothed, true},
       {"wlop", "CGAL's WLOP to 4000 points, then as direct", wlop, true},
+      {"iterative", "iterative consolidation, with directions and views", iterative, false},
   };
   return list;
 }
