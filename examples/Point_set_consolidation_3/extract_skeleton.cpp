@@ -10,8 +10,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
+#include <fstream>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +31,7 @@ using Oriented_point = std::pair<Point, Vector>;
 using Stage_times = std::vector<CGAL::Point_set_consolidation_3::internal::Stage_time>;
 
 struct Options {
-  std::string input, output, method = "laplacian", json;
+  std::string input, output, method = "laplacian", edits, json;
   bool quiet = false;
   std::size_t threads = 0;
   // laplacian
@@ -119,6 +121,10 @@ bool parse(Options& options, int argc, char** argv)
   for(const auto& method : methods)
     names.push_back(method.first);
   line.option("--method", "NAME", options.method, "how the skeleton is found").one_of(names);
+  line.option("--edits", "FILE", options.edits,
+              "edits of the skeleton, a line each: move V X Y Z, add X Y Z [R], connect V W, "
+              "disconnect V W, remove V, delete_branch V, delete_cycle V, collapse_cycle V, prune LENGTH, "
+              "extend_tips, radius V R, scale_radii F, interpolate [V W], bridge LENGTH");
   line.option("--json", "FILE", options.json, "report: counts, seconds and iterations of each stage");
   line.option("--threads", "N", options.threads, "number of threads").default_is("all");
   line.flag("-q,--quiet", options.quiet, "no progress bar");
@@ -200,6 +206,19 @@ void report(const Run& run, const Skeleton& skeleton)
   support::write_json(run.options.json, json);
 }
 
+void apply_edits(const Options& options, Skeleton& skeleton)
+{
+  std::ifstream edits(options.edits);
+  if(!edits)
+    throw support::File_error(options.edits + ": cannot be opened");
+  try {
+    CGAL::Curve_skeleton_editing::apply_edits(skeleton, edits);
+  }
+  catch(const std::invalid_argument& error) {
+    throw support::File_error(options.edits + ": " + error.what());
+  }
+}
+
 void check_output(const std::string& name)
 {
   for(const std::string end : {".ply", ".polylines.txt", ".cgal"})
@@ -220,7 +239,9 @@ int main(int argc, char** argv)
     const support::Thread_limit threads(options.threads);
     support::Progress_bar progress("skeleton", options.quiet);
     Run run{options, progress};
-    const Skeleton skeleton = methods.at(options.method)(run);
+    Skeleton skeleton = methods.at(options.method)(run);
+    if(!options.edits.empty())
+      apply_edits(options, skeleton);
     write(options, skeleton);
     if(!options.json.empty())
       report(run, skeleton);
