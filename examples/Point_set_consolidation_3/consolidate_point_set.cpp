@@ -42,7 +42,7 @@ struct Options {
   double omega = 45, sigma_p = 5, sigma_q = 2, mu = 0.4, mu_hat = 0.4, epsilon = 0.1, radius = 0;
   unsigned int wlop_iterations = 35;
   std::size_t skeleton_iterations = 10, surface_iterations = 60;
-  bool no_closing = false, uniform = false, quiet = false;
+  bool no_closing = false, keep_density = false, quiet = false;
   std::vector<Vec3> scanner;
 };
 
@@ -88,7 +88,7 @@ bool parse(Options& o, int argc, char** argv)
   line.option("--radius", "LENGTH", o.radius, "support radius of WLOP, unit of the input")
     .default_is("2 spacings of the output");
   line.option("--wlop-iterations", "N", o.wlop_iterations, "iterations of WLOP").between(1, 10000);
-  line.flag("--uniform", o.uniform, "weigh the input by its density (unevenly spread scans)");
+  line.flag("--keep-density", o.keep_density, "do not weigh the input by its density: faster");
   line.heading("Deep points (lengths in spacings r of the consolidated points)");
   line.option("--prior", "NAME", o.prior, "what is assumed where data are missing")
     .one_of({"volume-preserving", "minimal-volume", "flat"});
@@ -242,7 +242,7 @@ Result consolidate(const Options& o, const Scan& scan)
   const auto np = params::point_map(CGAL::make_property_map(scan.points))
                     .number_of_output_points(particles(o, scan.points.size()))
                     .number_of_iterations(o.wlop_iterations)
-                    .require_uniform_sampling(o.uniform)
+                    .require_uniform_sampling(!o.keep_density)
                     .collision_angle(o.omega)
                     .smoothing_radius(o.sigma_p)
                     .collision_radius(o.sigma_q)
@@ -401,7 +401,7 @@ void run(int argc, char** argv)
   if(!o.json.empty()) {
     Json json = Json::object();
     json["method"] = o.method;
-    json["input_points"] = cloud.size();
+    json["points"] = cloud.size();
     json["consolidated_points"] = result.consolidated.size();
     json["completed_points"] = result.completed_points;
     json["spacing"] = result.spacing;

@@ -124,7 +124,7 @@ public:
       Stage stage(m_execution, "surface", 0.4);
       Free_space free_space;
       if(!m_input.directions.empty())
-        free_space = Free_space(m_execution, m_input.data, m_input.directions, 1.);
+        free_space = Free_space(m_execution, m_input.data, m_input.directions, region(), 1.);
       const Nearest_neighbors data(m_input.data);
       std::vector<char> frozen;
       std::vector<Point_set_consolidation_3::Prior> priors;
@@ -162,7 +162,7 @@ public:
       stage.update(0.3);
       Free_space free_space;
       if(!m_input.directions.empty())
-        free_space = Free_space(m_execution, m_input.data, m_input.directions,
+        free_space = Free_space(m_execution, m_input.data, m_input.directions, region(),
                                 m_seen.spacing + (m_seen.is_noisy ? 3 * m_seen.noise : 0));
       stage.update(0.4);
       m_completed = Completion(m_execution, m_input, m_seen, m_sunk, free_space,
@@ -295,6 +295,13 @@ private:
     m_sinking_parameters = read_sinking_parameters(function, np);
     m_skeleton_parameters = read_skeleton_parameters(function, np);
     m_surface_parameters = read_surface_parameters(function, np);
+  }
+
+  /// Where data count; outliers lie beyond.
+  Point_set_consolidation_3::internal::Bounding_box region() const
+  {
+    constexpr double margin = 5;
+    return Point_set_consolidation_3::internal::bounding_box(m_input.points).grown(margin);
   }
 
   /// For each input point a direction on the outer side.

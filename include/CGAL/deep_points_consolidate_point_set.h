@@ -85,9 +85,10 @@ namespace CGAL {
       \cgalParamDefault{35}
     \cgalParamNEnd
     \cgalParamNBegin{require_uniform_sampling}
-      \cgalParamDescription{whether WLOP weighs the input by its density, for unevenly spread input}
+      \cgalParamDescription{whether WLOP weighs the input by its density; scans are thin where the surface
+        turns away from the scanner, and uneven particles sink to a biased skeleton}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`false`}
+      \cgalParamDefault{`true`; about half of WLOP's time}
     \cgalParamNEnd
     \cgalParamNBegin{collision_angle}
       \cgalParamDescription{\f$\omega\f$: fronts whose normals differ by more meet and settle, degrees, (0, 170]}

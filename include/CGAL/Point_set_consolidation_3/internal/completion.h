@@ -140,7 +140,8 @@ class Completion {
   static constexpr double band = 2.5;             ///< distances are clamped to this
   static constexpr double largest_ball = 0.3;     ///< of the diagonal
   static constexpr double obstacle_distance = 2.5;  ///< in sp: nearer free space is the data's own
-  static constexpr double most_nodes = 6e7;       ///< coarser grids beyond: 4 bytes a node
+  static constexpr double most_nodes = 3e7;       ///< coarser grids beyond: 16 bytes a node
+  static constexpr double linking_distance = 20;  ///< parts farther apart get grids of their own
   /// A node is inside if so many balls hold it: neighbouring balls overlap, so that one alone is too large.
   static constexpr std::size_t agreeing_balls = 3;
 
@@ -154,22 +155,31 @@ public:
 
   Completed_points run(Stage& stage)
   {
-    const Bounding_box box = working_box();
-    double step = m_parameters.grid_step;
-    step *= (std::max)(1., std::cbrt(Scalar_grid::nodes_of(box, step) / most_nodes));
-    m_phi = free_space_grid(box, step);
-    stage.update(0.2);
-    const Points obstacles = free_space_border();
-    stage.update(0.3);
+    const std::vector<Bounding_box> boxes = working_boxes();
+    const double step = grid_step(boxes);
+    std::vector<Scalar_grid> free_space(boxes.size());
+    Points obstacles;
+    for(std::size_t b = 0; b < boxes.size(); ++b) {
+      free_space[b] = free_space_grid(boxes[b], step);
+      add_free_space_border(free_space[b], obstacles);
+      stage.update(0.3 * double(b + 1) / double(boxes.size()));
+    }
     m_balls = Ball_clip(m_execution, m_input.points, m_sunk.normals, obstacles)
-                .clip(m_sunk.anchors, largest_ball * bounding_box(m_input.points).diagonal());
+                .clip(m_sunk.anchors, largest_ball * longest_diagonal(boxes));
     stage.update(0.5);
-    Scalar_grid solid = union_of_balls(box, step);
-    solid.smooth(m_execution, m_parameters.smoothing);
-    stage.update(0.8);
-    Completed_points completed = sample(solid);
-    stage.update(0.9);
-    correct_border(solid, completed);
+    Completed_points completed;
+    for(std::size_t b = 0; b < boxes.size(); ++b) {
+      Scalar_grid solid = union_of_balls(boxes[b], step, free_space[b]);
+      free_space[b] = Scalar_grid();
+      solid.smooth(m_execution, m_parameters.smoothing);
+      Completed_points part = sample(solid);
+      correct_border(solid, part);
+      remove_seen_through(part);
+      append(completed.points, part.points);
+      append(completed.normals, part.normals);
+      append(completed.distance, part.distance);
+      stage.update(0.5 + 0.5 * double(b + 1) / double(boxes.size()));
+    }
     describe(completed);
     return completed;
   }
@@ -180,20 +190,88 @@ private:
     return std::sqrt(m_data_tree.nearest(x).squared_distance);
   }
 
-  /// Step 3. With one view nothing bounds the object from behind.
-  Bounding_box working_box() const
+  template <typename T>
+  static void append(std::vector<T>& to, const std::vector<T>& from)
   {
-    Bounding_box box = bounding_box(m_input.points);
-    const Vec3 margin = Vec3::Constant(m_parameters.box_margin);
-    const double longest = box.sides().maxCoeff();
+    to.insert(to.end(), from.begin(), from.end());
+  }
+
+  /// Step 3: a box for each part of the scan, so that memory does not grow with the void between them.
+  std::vector<Bounding_box> working_boxes() const
+  {
+    const Points& points = m_input.points;
+    const Sorted_grid grid(points, linking_distance);
+    std::vector<char> is_visited(points.size(), 0);
+    std::vector<Bounding_box> boxes;
+    for(std::size_t seed = 0; seed < points.size(); ++seed) {
+      if(is_visited[seed])
+        continue;
+      std::vector<std::size_t> part(1, seed);
+      is_visited[seed] = 1;
+      Bounding_box box{points[seed], points[seed]};
+      for(std::size_t k = 0; k < part.size(); ++k) {
+        const Vec3& p = points[part[k]];
+        box.lower = box.lower.cwiseMin(p);
+        box.upper = box.upper.cwiseMax(p);
+        grid.for_each_neighbor(p, linking_distance, [&](Index j, double) {
+          if(!is_visited[j]) {
+            is_visited[j] = 1;
+            part.push_back(j);
+          }
+          return true;
+        });
+      }
+      boxes.push_back(enlarged(box));
+    }
+    return united(std::move(boxes));
+  }
+
+  /// With one view nothing bounds the object from behind.
+  Bounding_box enlarged(Bounding_box box) const
+  {
     if(m_free_space.number_of_views() == 1) {
-      const Vec3 away = -m_parameters.one_view_depth * longest * m_free_space.projection(0).axis();
+      const Vec3 away = -m_parameters.one_view_depth * box.sides().maxCoeff() *
+                        m_free_space.projection(0).axis();
       box.lower += away.cwiseMin(0.);
       box.upper += away.cwiseMax(0.);
     }
-    box.lower -= margin;
-    box.upper += margin;
-    return box;
+    const Vec3 margin = Vec3::Constant(m_parameters.box_margin);
+    return Bounding_box{box.lower - margin, box.upper + margin};
+  }
+
+  /// Boxes that overlap become one.
+  static std::vector<Bounding_box> united(std::vector<Bounding_box> boxes)
+  {
+    for(std::size_t a = 0; a < boxes.size(); ++a)
+      for(std::size_t b = a + 1; b < boxes.size();) {
+        const bool overlap = (boxes[a].lower.array() <= boxes[b].upper.array()).all() &&
+                             (boxes[b].lower.array() <= boxes[a].upper.array()).all();
+        if(overlap) {
+          boxes[a].lower = boxes[a].lower.cwiseMin(boxes[b].lower);
+          boxes[a].upper = boxes[a].upper.cwiseMax(boxes[b].upper);
+          boxes.erase(boxes.begin() + std::ptrdiff_t(b));
+          b = a + 1;  // it may now reach boxes that were apart before
+        }
+        else
+          ++b;
+      }
+    return boxes;
+  }
+
+  double grid_step(const std::vector<Bounding_box>& boxes) const
+  {
+    double nodes = 0;
+    for(const Bounding_box& box : boxes)
+      nodes += Scalar_grid::nodes_of(box, m_parameters.grid_step);
+    return m_parameters.grid_step * (std::max)(1., std::cbrt(nodes / most_nodes));
+  }
+
+  static double longest_diagonal(const std::vector<Bounding_box>& boxes)
+  {
+    double longest = 0;
+    for(const Bounding_box& box : boxes)
+      longest = (std::max)(longest, box.diagonal());
+    return longest;
   }
 
   template <typename Value>
@@ -227,14 +305,14 @@ private:
   }
 
   /// Where known free space begins, away from the data.
-  Points free_space_border() const
+  void add_free_space_border(const Scalar_grid& phi, Points& obstacles) const
   {
-    Points border;
     if(m_free_space.empty())
-      return border;
-    m_phi.for_each_edge([&](std::size_t i, std::size_t j, int) {
-      if((m_phi[i] > 0) != (m_phi[j] > 0))
-        border.push_back(crossing(m_phi, i, j));
+      return;
+    Points border;
+    phi.for_each_edge([&](std::size_t i, std::size_t j, int) {
+      if((phi[i] > 0) != (phi[j] > 0))
+        border.push_back(crossing(phi, i, j));
     });
     std::vector<char> is_far(border.size());
     const double near = obstacle_distance * m_seen.spacing;
@@ -244,11 +322,11 @@ private:
     for(std::size_t i = 0; i < border.size(); ++i)
       if(is_far[i])
         far.push_back(border[i]);
-    return selected(far, thinned(far, 1.));
+    append(obstacles, selected(far, thinned(far, 1.)));
   }
 
   /// Step 5, before smoothing: max(|x - b_i| - l_i of the third nearest ball, Phi(x)), clamped.
-  Scalar_grid union_of_balls(const Bounding_box& box, double step) const
+  Scalar_grid union_of_balls(const Bounding_box& box, double step, const Scalar_grid& phi) const
   {
     Solids solids;
     solids.fill(Scalar_grid(box, step, float(band)));
@@ -260,7 +338,7 @@ private:
       if(!m_free_space.empty())
         for(int y = 0; y < solid.size(1); ++y) {
           Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z), solid.size(0));
-          row = row.max(Eigen::Map<const Eigen::ArrayXf>(m_phi.row(y, z), solid.size(0)));
+          row = row.max(Eigen::Map<const Eigen::ArrayXf>(phi.row(y, z), solid.size(0)));
         }
     });
     return std::move(solid);
@@ -409,6 +487,19 @@ private:
       completed.points[i] += smoothed[i] * completed.normals[i];
   }
 
+  /// The correction may have moved points to where a ray has passed.
+  void remove_seen_through(Completed_points& completed) const
+  {
+    constexpr double tolerance = 0.5;
+    std::vector<Index> kept;
+    for(std::size_t i = 0; i < completed.points.size(); ++i)
+      if(m_free_space.empty() || m_free_space(completed.points[i]) <= tolerance)
+        kept.push_back(Index(i));
+    completed.points = selected(completed.points, kept);
+    completed.normals = selected(completed.normals, kept);
+    completed.distance = selected(completed.distance, kept);
+  }
+
   void describe(Completed_points& completed) const
   {
     const Nearest_neighbors centres(m_balls.centres);
@@ -432,7 +523,6 @@ private:
   const Sunk_points& m_sunk;
   const Free_space& m_free_space;
   Nearest_neighbors m_data_tree;
-  Scalar_grid m_phi;
   Balls m_balls;
 };
 

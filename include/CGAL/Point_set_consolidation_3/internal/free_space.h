@@ -27,15 +27,16 @@ class Free_space {
 public:
   Free_space() = default;
 
-  /// `margin`: how far in front of the data space is not yet called free.
+  /// `margin`: how far in front of the data space is not yet called free. Points outside of `region`,
+  /// outliers, are left out.
   Free_space(const Execution& execution, const Points& points, const Scan_directions& directions,
-             double margin)
+             const Bounding_box& region, double margin)
     : m_margin(margin)
   {
     for(std::size_t v = 0; v < directions.number_of_views(); ++v) {
       Points seen, rays;
       for(std::size_t i = 0; i < points.size(); ++i) {
-        if(directions.view[i] == v) {
+        if(directions.view[i] == v && region.contains(points[i])) {
           seen.push_back(points[i]);
           rays.push_back(directions.towards_scanner[i]);
         }
@@ -47,6 +48,11 @@ public:
     for(const Image& image : m_images)
       m_tolerance = (std::max)(m_tolerance, image.pixel);
   }
+
+  Free_space(const Execution& execution, const Points& points, const Scan_directions& directions,
+             double margin)
+    : Free_space(execution, points, directions, bounding_box(points), margin)
+  {}
 
   bool empty() const { return m_images.empty(); }
   std::size_t number_of_views() const { return m_images.size(); }

@@ -140,7 +140,7 @@ struct Input_parameters {
   std::size_t particles = 0;          ///< |S|; 0: by `default_particles`
   double neighbor_radius = 0;         ///< of WLOP, in the caller's unit; 0: twice the output's spacing
   unsigned int iterations = 35;       ///< of WLOP
-  bool require_uniform_sampling = false;
+  bool require_uniform_sampling = true;   ///< the paper's WLOP weighs by density
   unsigned int normal_neighbors = 18;
   unsigned int orientation_neighbors = 12;
 };
@@ -167,7 +167,7 @@ Input_parameters read_input_parameters(const char* function, const NP& np, std::
   require(input.iterations > 0 && input.iterations <= 100000, function,
           "number_of_iterations must be in [1, 100000]");
   input.require_uniform_sampling =
-    parameter_or(np, CGAL::internal_np::require_uniform_sampling, false);
+    parameter_or(np, CGAL::internal_np::require_uniform_sampling, true);
   return input;
 }
 
@@ -175,6 +175,21 @@ Input_parameters read_input_parameters(const char* function, const NP& np, std::
 inline std::size_t default_particles(std::size_t n)
 {
   return (std::min)(n, (std::max)(std::size_t(4000), n / 20));
+}
+
+/// Outliers of the scan leave lone particles, which would stretch every box.
+inline void remove_isolated(const Execution& execution, Points& points)
+{
+  constexpr std::size_t neighbors = 6;
+  constexpr double far = 8;  // times the median distance to them
+  const std::vector<double> distance =
+    neighbor_distances(execution, Nearest_neighbors(points), points, neighbors);
+  const double largest = far * median(distance);
+  Points kept;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(distance[i] <= largest)
+      kept.push_back(points[i]);
+  points.swap(kept);
 }
 
 template <typename ConcurrencyTag>
@@ -203,6 +218,7 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
   }
   Stage stage(execution, "normals", 0.1 * share);
 
+  remove_isolated(execution, input.points);
   // from here on the unit is r, equation (1)
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));

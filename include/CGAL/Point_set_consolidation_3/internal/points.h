@@ -42,6 +42,14 @@ struct Bounding_box {
   Vec3 sides() const { return upper - lower; }
   double diagonal() const { return sides().norm(); }
   Vec3 centre() const { return lower + 0.5 * (upper - lower); }
+  bool contains(const Vec3& p) const
+  {
+    return (lower.array() <= p.array()).all() && (p.array() <= upper.array()).all();
+  }
+  Bounding_box grown(double margin) const
+  {
+    return {lower - Vec3::Constant(margin), upper + Vec3::Constant(margin)};
+  }
 };
 
 inline Bounding_box bounding_box(const Points& points)

@@ -1,0 +1,557 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Deep points consolidation and completion on shapes whose axes, sheets and surfaces are known.
+
+#undef NDEBUG
+
+#include "synthetic_scans.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/complete_point_set.h>
+#include <CGAL/deep_points_consolidate_point_set.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cassert>
+#include <iostream>
+#include <limits>
+
+namespace {
+
+namespace psc = CGAL::Point_set_consolidation_3;
+namespace params = CGAL::Point_set_consolidation_3::parameters;
+using synthetic::Scan;
+using synthetic::Shape;
+using Vec3 = Eigen::Vector3d;
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_3 Point;
+typedef Kernel::Vector_3 Vector;
+typedef CGAL::Deep_point_3<Kernel> Deep_point;
+typedef CGAL::Completed_point_3<Kernel> Completed_point;
+typedef std::pair<Point, Vector> Point_and_direction;
+typedef CGAL::First_of_pair_property_map<Point_and_direction> First;
+typedef CGAL::Second_of_pair_property_map<Point_and_direction> Second;
+typedef std::vector<Point_and_direction> Rays;
+
+Rays rays(const Scan& scan)
+{
+  Rays result;
+  for(std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Vec3 &p = scan.points[i], &d = scan.directions[i];
+    result.emplace_back(Point(p.x(), p.y(), p.z()), Vector(d.x(), d.y(), d.z()));
+  }
+  return result;
+}
+
+Vec3 vec3(const Point& p) { return Vec3(p.x(), p.y(), p.z()); }
+Vec3 vec3(const Vector& v) { return Vec3(v.x(), v.y(), v.z()); }
+
+template <typename Tag = CGAL::Parallel_if_available_tag>
+std::vector<Deep_point> consolidate(const Rays& scan, psc::Data_term data_term,
+                                    std::size_t particles = 3000)
+{
+  std::vector<Deep_point> points;
+  CGAL::deep_points_consolidate_point_set<Tag>(
+    scan, std::back_inserter(points),
+    params::point_map(First()).view_direction_map(Second())
+      .number_of_output_points(particles).data_term(data_term));
+  return points;
+}
+
+struct Quality {
+  double inner = 0;       ///< mean distance of inner points to the skeleton, % of the diagonal
+  double outer = 0;       ///< mean distance of outer points to the surface, %
+  double coverage = 0;    ///< share of the hidden surface with an outer point within 2.5 %
+  double normal = 0;      ///< mean angle to the true normals, degrees
+};
+
+Quality judge(const Shape& shape, const Scan& scan, const std::vector<Deep_point>& points)
+{
+  Quality q;
+  const double percent = 100 / shape.diagonal();
+  for(const Deep_point& p : points) {
+    const Vec3 outer = vec3(p.outer());
+    q.inner += percent * shape.skeleton_distance(vec3(p.inner())) / double(points.size());
+    q.outer += percent * std::abs(shape.distance(outer)) / double(points.size());
+    const double cosine = vec3(p.normal()).dot(shape.normal(outer));
+    q.normal += std::acos((std::max)(-1., (std::min)(1., cosine))) * 180 / CGAL_PI /
+                double(points.size());
+    assert(std::abs(vec3(p.normal()).norm() - 1) < 1e-9);
+    assert(p.confidence() >= 0 && p.confidence() <= 1);
+  }
+  std::size_t covered = 0;
+  for(const Vec3& h : scan.hidden) {
+    double nearest = (std::numeric_limits<double>::max)();
+    for(const Deep_point& p : points)
+      nearest = (std::min)(nearest, (vec3(p.outer()) - h).norm());
+    covered += percent * nearest < 2.5;
+  }
+  q.coverage = scan.hidden.empty() ? 1 : double(covered) / double(scan.hidden.size());
+  std::cout << "  inner " << q.inner << " %, outer " << q.outer << " %, hidden side covered "
+            << q.coverage << ", normals " << q.normal << " deg" << std::endl;
+  return q;
+}
+
+/// The stages one by one: mean distance of the intermediate results to the true skeleton, in percent.
+void stages(const Shape& shape, const Scan& scan, std::size_t particles, double anchor_limit,
+            double skeleton_limit)
+{
+  const Rays input = rays(scan);
+  CGAL::Deep_points_consolidation_3<Kernel, CGAL::Parallel_if_available_tag> consolidation(
+    input, params::point_map(First()).view_direction_map(Second())
+             .number_of_output_points(particles));
+  assert(consolidation.form_meso_skeleton());
+  const double percent = 100 / shape.diagonal() / double(consolidation.size());
+  double anchors = 0, skeleton = 0, surface = 0;
+  for(std::size_t i = 0; i < consolidation.size(); ++i) {
+    anchors += percent * shape.skeleton_distance(vec3(consolidation.anchor_point(i)));
+    skeleton += percent * shape.skeleton_distance(vec3(consolidation.skeletal_point(i)));
+    surface += percent * std::abs(shape.distance(vec3(consolidation.consolidated_point(i))));
+  }
+  std::cout << "  r " << 100 * consolidation.spacing() / shape.diagonal() << " %: S " << surface
+            << " %, anchors " << anchors << " %, meso-skeleton " << skeleton << " %" << std::endl;
+  assert(surface < 0.05);
+  assert(anchors < anchor_limit);
+  assert(skeleton < skeleton_limit);
+}
+
+void one_sided_torus()
+{
+  std::cout << "one-sided torus" << std::endl;
+  const auto torus = synthetic::torus(1, 0.35);
+  const Scan scan = synthetic::scan(torus, {Vec3(1, .45, .35)}, 12000, 1);
+  stages(torus, scan, 3000, 0.5, 0.30);
+  const Quality normal = judge(torus, scan, consolidate(rays(scan), psc::Data_term::NORMAL));
+  assert(normal.inner < 0.45);
+  assert(normal.outer < 0.25);
+  assert(normal.coverage > 0.85);
+  assert(normal.normal < 5);
+  const Quality full = judge(torus, scan, consolidate(rays(scan), psc::Data_term::FULL));
+  assert(full.outer < 0.05);                       // stays on the data
+  assert(full.coverage < normal.coverage);         // and therefore completes less
+}
+
+void half_cylinder()
+{
+  std::cout << "capped cylinder, one half missing" << std::endl;
+  const auto cylinder = synthetic::capsule(Vec3(0, 0, 0), Vec3(0, 0, 4), 0.5);
+  const Scan scan = synthetic::scan(cylinder, {Vec3(1, 0, 0)}, 10000, 2);
+  const Quality q = judge(cylinder, scan, consolidate(rays(scan), psc::Data_term::NORMAL, 2000));
+  assert(q.inner < 0.6);
+  assert(q.outer < 0.35);
+  assert(q.coverage > 0.85);
+}
+
+void y_of_tubes()
+{
+  std::cout << "Y of tubes" << std::endl;
+  const auto y = synthetic::united({synthetic::capsule(Vec3(0, 0, 0), Vec3(0, 0, -2), 0.35),
+                                    synthetic::capsule(Vec3(0, 0, 0), Vec3(1.4, 0, 1.4), 0.35),
+                                    synthetic::capsule(Vec3(0, 0, 0), Vec3(-1.4, 0, 1.4), 0.35)});
+  const Scan scan = synthetic::scan(y, {Vec3(.2, 1, .1)}, 12000, 3);
+  const Quality q = judge(y, scan, consolidate(rays(scan), psc::Data_term::NORMAL));
+  assert(q.inner < 0.5);
+  assert(q.outer < 0.3);
+  assert(q.coverage > 0.85);
+}
+
+void thin_plate()
+{
+  std::cout << "thin plate, both sides" << std::endl;
+  const auto plate = synthetic::plate(2, 2, 0.12);
+  const Scan scan = synthetic::scan(plate, {Vec3(.1, .1, 1), Vec3(.1, -.1, -1)}, 12000, 4);
+  const std::vector<Deep_point> points = consolidate(rays(scan), psc::Data_term::FULL);
+  const Quality q = judge(plate, scan, points);
+  assert(q.inner < 0.6);   // a sheet in the middle, not one of the faces
+  assert(q.outer < 0.25);  // the faces stay apart
+  std::size_t upper = 0;
+  for(const Deep_point& p : points)
+    upper += p.outer().z() > 0;
+  assert(upper > points.size() / 3 && upper < 2 * points.size() / 3);
+}
+
+void completion()
+{
+  std::cout << "completion of the one-sided torus" << std::endl;
+  const auto torus = synthetic::torus(1, 0.35);
+  const Vec3 view = Vec3(1, .45, .35).normalized();
+  const Scan scan = synthetic::scan(torus, {view}, 12000, 1);
+  std::vector<std::size_t> indices(scan.points.size());
+  std::vector<Point> points, denoised(scan.points.size());
+  std::vector<Vector> directions, normals(scan.points.size());
+  for(std::size_t i = 0; i < scan.points.size(); ++i) {
+    indices[i] = i;
+    points.emplace_back(scan.points[i].x(), scan.points[i].y(), scan.points[i].z());
+    directions.emplace_back(view.x(), view.y(), view.z());
+  }
+  std::vector<Completed_point> completed;
+  CGAL::complete_point_set<CGAL::Parallel_if_available_tag>(
+    indices, std::back_inserter(completed),
+    params::point_map(CGAL::make_property_map(points))
+      .view_direction_map(CGAL::make_property_map(directions))
+      .number_of_output_points(3000)
+      .denoised_point_map(CGAL::make_property_map(denoised))
+      .denoised_normal_map(CGAL::make_property_map(normals)));
+
+  assert(completed.size() > 1000);
+  assert(denoised == points);  // clean data stay as they are
+  for(std::size_t i = 0; i < points.size(); ++i)
+    assert(vec3(normals[i]).dot(torus.normal(vec3(points[i]))) > 0.7);
+  double error = 0;
+  std::size_t covered = 0;
+  for(const Completed_point& p : completed)
+    error += 100 * std::abs(torus.distance(vec3(p.outer()))) / torus.diagonal() /
+             double(completed.size());
+  for(const Vec3& h : scan.hidden) {
+    double nearest = (std::numeric_limits<double>::max)();
+    for(const Completed_point& p : completed)
+      nearest = (std::min)(nearest, (vec3(p.outer()) - h).norm());
+    for(const Point& p : points)
+      nearest = (std::min)(nearest, (vec3(p) - h).norm());
+    covered += 100 * nearest / torus.diagonal() < 2.5;
+  }
+  std::cout << "  " << completed.size() << " points, error " << error << " %, hidden side covered "
+            << double(covered) / double(scan.hidden.size()) << std::endl;
+  assert(error < 1.0);
+  assert(covered > 0.9 * double(scan.hidden.size()));
+
+  // no completed point where a ray has passed: none lies far in front of all data next to its ray
+  const double pixel = 0.01 * torus.diagonal();
+  std::size_t in_front = 0;
+  for(const Completed_point& c : completed) {
+    const Vec3 x = vec3(c.outer());
+    std::size_t passed = 0, rays_near = 0;
+    for(const Vec3& p : scan.points) {
+      const Vec3 d = x - p;
+      if((d - d.dot(view) * view).norm() < pixel) {
+        ++rays_near;
+        passed += d.dot(view) > 2 * pixel;
+      }
+    }
+    in_front += rays_near > 0 && passed == rays_near;
+    assert(c.distance() > 0);
+  }
+  assert(in_front == 0);
+}
+
+double deviation(const std::vector<Deep_point>& a, const std::vector<Deep_point>& b,
+                 const std::function<Vec3(const Vec3&)>& back)
+{
+  assert(a.size() == b.size());
+  double sum = 0;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    sum += (vec3(a[i].outer()) - back(vec3(b[i].outer()))).norm() +
+           (vec3(a[i].inner()) - back(vec3(b[i].inner()))).norm();
+  return sum / double(a.size());
+}
+
+void invariance()
+{
+  const auto torus = synthetic::torus(1, 0.35);
+  const Scan scan = synthetic::scan(torus, {Vec3(1, .45, .35)}, 5000, 5);
+  const std::vector<Deep_point> reference = consolidate(rays(scan), psc::Data_term::NORMAL, 1000);
+  const double tolerance = 1e-3 * torus.diagonal();
+  for(const double scale : {1e-4, 1e5}) {
+    Scan scaled = scan;
+    for(Vec3& p : scaled.points)
+      p *= scale;
+    const double d = deviation(reference, consolidate(rays(scaled), psc::Data_term::NORMAL, 1000),
+                               [&](const Vec3& p) { return Vec3(p / scale); });
+    std::cout << "scale " << scale << ": deviation " << d << std::endl;
+    assert(d < tolerance);
+  }
+  {
+    const Vec3 offset(4e6, -4e6, 4e6);
+    Scan moved = scan;
+    for(Vec3& p : moved.points)
+      p += offset;
+    const double d = deviation(reference, consolidate(rays(moved), psc::Data_term::NORMAL, 1000),
+                               [&](const Vec3& p) { return Vec3(p - offset); });
+    std::cout << "offset: deviation " << d << std::endl;
+    assert(d < tolerance);
+  }
+  {
+    const Eigen::Matrix3d R(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+    Scan turned = scan;
+    for(Vec3& p : turned.points)
+      p = R * p;
+    for(Vec3& d : turned.directions)
+      d = R * d;
+    const double d = deviation(reference, consolidate(rays(turned), psc::Data_term::NORMAL, 1000),
+                               [&](const Vec3& p) { return Vec3(R.transpose() * p); });
+    std::cout << "rotation: deviation " << d << std::endl;
+    assert(d < tolerance);
+  }
+}
+
+bool same_bits(const std::vector<Deep_point>& a, const std::vector<Deep_point>& b)
+{
+  if(a.size() != b.size())
+    return false;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    if(a[i].outer() != b[i].outer() || a[i].inner() != b[i].inner() ||
+       a[i].normal() != b[i].normal() || a[i].confidence() != b[i].confidence())
+      return false;
+  return true;
+}
+
+template <typename Tag>
+std::vector<Deep_point> completed(const Rays& scan)
+{
+  std::vector<Deep_point> points;
+  CGAL::complete_point_set<Tag>(scan, std::back_inserter(points),
+                                params::point_map(First()).view_direction_map(Second())
+                                  .number_of_output_points(1000));
+  return points;
+}
+
+void parallel_equals_sequential()
+{
+  const auto torus = synthetic::torus(1, 0.35);
+  const Rays scan = rays(synthetic::scan(torus, {Vec3(1, .45, .35)}, 5000, 5));
+  const auto reference = consolidate<CGAL::Sequential_tag>(scan, psc::Data_term::FULL, 1000);
+  const auto reference_completed = completed<CGAL::Sequential_tag>(scan);
+  assert(!reference_completed.empty());
+  assert(same_bits(reference, consolidate<CGAL::Sequential_tag>(scan, psc::Data_term::FULL, 1000)));
+#ifdef CGAL_LINKED_WITH_TBB
+  for(const std::size_t threads : {1, 2, 4}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    assert(same_bits(reference,
+                     consolidate<CGAL::Parallel_tag>(scan, psc::Data_term::FULL, 1000)));
+    assert(same_bits(reference_completed, completed<CGAL::Parallel_tag>(scan)));
+  }
+#endif
+}
+
+template <typename K>
+void kernels_and_ranges()
+{
+  typedef typename K::Point_3 P;
+  typedef typename K::Vector_3 V;
+  typedef typename K::FT FT;
+  typedef std::pair<P, V> Pair;
+  const auto tube = synthetic::capsule(Vec3(0, 0, 0), Vec3(0, 0, 2), 0.4);
+  const Scan scan = synthetic::scan(tube, {Vec3(1, 0, 0)}, 1500, 6);
+  std::vector<P> points;
+  std::vector<Pair> pairs;
+  CGAL::Point_set_3<P, V> set(true);
+  std::vector<std::size_t> indices;
+  for(std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Vec3 &p = scan.points[i], n = tube.normal(p);
+    points.emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
+    pairs.emplace_back(points.back(), V(FT(n.x()), FT(n.y()), FT(n.z())));
+    set.insert(points.back(), pairs.back().second);
+    indices.push_back(i);
+  }
+  const auto np = params::number_of_output_points(300);
+  std::vector<CGAL::Deep_point_3<K> > results[4];
+  CGAL::deep_points_consolidate_point_set<CGAL::Sequential_tag>(
+    points, std::back_inserter(results[0]), np);
+  CGAL::deep_points_consolidate_point_set<CGAL::Sequential_tag>(
+    pairs, std::back_inserter(results[1]),
+    np.point_map(CGAL::First_of_pair_property_map<Pair>())
+      .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
+  CGAL::deep_points_consolidate_point_set<CGAL::Sequential_tag>(
+    set, std::back_inserter(results[2]), np);
+  CGAL::deep_points_consolidate_point_set<CGAL::Sequential_tag>(
+    indices, std::back_inserter(results[3]), np.point_map(CGAL::make_property_map(points)));
+  for(std::size_t k = 0; k < 4; ++k) {
+    assert(results[k].size() == 300);
+    std::size_t outwards = 0;
+    for(const auto& p : results[k]) {
+      const Vec3 x(CGAL::to_double(p.outer().x()), CGAL::to_double(p.outer().y()),
+                   CGAL::to_double(p.outer().z()));
+      const Vec3 n(CGAL::to_double(p.normal().x()), CGAL::to_double(p.normal().y()),
+                   CGAL::to_double(p.normal().z()));
+      assert(std::abs(tube.distance(x)) < 0.1);
+      outwards += n.dot(tube.normal(x)) > 0;
+    }
+    assert(outwards > 0.95 * 300);
+  }
+  // the same points, with and without maps, and normals from a map or the point set's own
+  for(std::size_t i = 0; i < 300; ++i) {
+    assert(results[0][i].outer() == results[3][i].outer());
+    assert(results[1][i].outer() == results[2][i].outer());
+  }
+}
+
+void cancellation()
+{
+  const auto torus = synthetic::torus(1, 0.35);
+  const Rays scan = rays(synthetic::scan(torus, {Vec3(1, .45, .35)}, 3000, 7));
+  const auto np = params::point_map(First()).view_direction_map(Second())
+                    .number_of_output_points(600);
+  double last = 0;
+  std::size_t calls = 0;
+  std::vector<Deep_point> all;
+  CGAL::deep_points_consolidate_point_set<CGAL::Parallel_if_available_tag>(
+    scan, std::back_inserter(all), np.callback([&](double fraction) {
+      assert(fraction >= last && fraction <= 1);
+      last = fraction;
+      ++calls;
+      return true;
+    }));
+  assert(all.size() == 600 && last == 1 && calls > 60);
+  for(int k = 0; k < 20; ++k) {
+    const double stop_at = k / 20.;
+    std::vector<Deep_point> output;
+    CGAL::deep_points_consolidate_point_set<CGAL::Sequential_tag>(
+      scan, std::back_inserter(output), np.callback([&](double f) { return f < stop_at; }));
+    assert(output.empty());
+    CGAL::complete_point_set<CGAL::Parallel_if_available_tag>(
+      scan, std::back_inserter(output), np.callback([&](double f) { return f < stop_at; }));
+    assert(output.empty());
+  }
+  struct Stop {};
+  bool was_thrown = false;
+  try {
+    CGAL::deep_points_consolidate_point_set<CGAL::Parallel_if_available_tag>(
+      scan, std::back_inserter(all), np.callback([](double f) -> bool {
+        if(f > 0.5)
+          throw Stop();
+        return true;
+      }));
+  }
+  catch(const Stop&) {
+    was_thrown = true;
+  }
+  assert(was_thrown && all.size() == 600);
+}
+
+/// The message of the `std::invalid_argument` that both functions must throw.
+template <typename NP>
+std::string rejected(const std::vector<Point>& points, const NP& np)
+{
+  std::string message;
+  std::vector<Deep_point> output;
+  try {
+    CGAL::complete_point_set<CGAL::Sequential_tag>(points, std::back_inserter(output), np);
+    assert(false);
+  }
+  catch(const std::invalid_argument&) {
+  }
+  try {
+    CGAL::deep_points_consolidate_point_set<CGAL::Sequential_tag>(points,
+                                                                  std::back_inserter(output), np);
+    assert(false);
+  }
+  catch(const std::invalid_argument& error) {
+    message = error.what();
+  }
+  assert(output.empty());
+  return message;
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// Odd input that has a sensible result: finite points, one for each particle.
+void accepted(const char* name, const std::vector<Point>& points)
+{
+  std::vector<Deep_point> output, missing;
+  CGAL::deep_points_consolidate_point_set<CGAL::Sequential_tag>(
+    points, std::back_inserter(output), params::number_of_output_points(300));
+  CGAL::complete_point_set<CGAL::Sequential_tag>(points, std::back_inserter(missing),
+                                                 params::number_of_output_points(300));
+  std::cout << "  " << name << ": " << output.size() << " points, " << missing.size()
+            << " completed" << std::endl;
+  assert(!output.empty());
+  output.insert(output.end(), missing.begin(), missing.end());
+  for(const Deep_point& p : output)
+    assert(vec3(p.outer()).allFinite() && vec3(p.inner()).allFinite() &&
+           std::abs(vec3(p.normal()).norm() - 1) < 1e-6);
+}
+
+void bad_input()
+{
+  std::cout << "bad input" << std::endl;
+  const auto np = params::default_values();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point> points;
+  assert(contains(rejected(points, np), "points"));
+  for(int n = 1; n <= 3; ++n) {
+    points.emplace_back(n, 0, 0);
+    assert(contains(rejected(points, np), "needs at least 10 points"));
+  }
+  assert(contains(rejected(std::vector<Point>(50, Point(1, 2, 3)), np), "coincide"));
+
+  std::vector<Point> sphere;
+  const auto ball = synthetic::capsule(Vec3(0, 0, 0), Vec3(0, 0, 1e-3), 1);
+  for(const Vec3& p : synthetic::samples(ball, 600, 8))
+    sphere.emplace_back(p.x(), p.y(), p.z());
+  std::vector<Point> bad = sphere;
+  bad[17] = Point(0, nan, 0);
+  const std::string message = rejected(bad, np);
+  assert(contains(message, "index 17") && contains(message, "point_map"));
+  bad[17] = Point(0, 0, std::numeric_limits<double>::infinity());
+  assert(contains(rejected(bad, np), "index 17"));
+  assert(contains(rejected(sphere, params::collision_angle(0)), "collision_angle"));
+  assert(contains(rejected(sphere, params::collision_angle(171)), "collision_angle"));
+  assert(contains(rejected(sphere, params::smoothing_radius(-1)), "smoothing_radius"));
+  assert(contains(rejected(sphere, params::collision_radius(nan)), "collision_radius"));
+  assert(contains(rejected(sphere, params::neighbor_radius(-2)), "neighbor_radius"));
+  assert(contains(rejected(sphere, params::select_percentage(120)), "select_percentage"));
+  assert(contains(rejected(sphere, params::number_of_iterations(0)), "number_of_iterations"));
+  assert(contains(rejected(sphere, params::number_of_output_points(0)), "number_of_output_points"));
+  assert(contains(rejected(sphere, params::view_direction_map(
+                                     CGAL::Constant_property_map<Point, Vector>(Vector(0, 0, 0)))),
+                  "scanner"));
+
+  accepted("sphere", sphere);
+  std::vector<Point> twice = sphere;
+  twice.insert(twice.end(), sphere.begin(), sphere.end());
+  accepted("every point twice", twice);
+  std::vector<Point> line, plane, grid;
+  for(int i = 0; i < 500; ++i)
+    line.emplace_back(0.01 * i, 0.02 * i, 0);
+  for(int i = 0; i < 25; ++i)
+    for(int j = 0; j < 25; ++j)
+      plane.emplace_back(i, j, 0);
+  for(int i = 0; i < 9; ++i)
+    for(int j = 0; j < 9; ++j)
+      for(int k = 0; k < 9; ++k)
+        grid.emplace_back(i, j, k);
+  accepted("line", line);
+  accepted("plane", plane);
+  accepted("regular grid", grid);
+  std::vector<Point> outlier = sphere;
+  outlier.push_back(Point(1e30, 0, 0));
+  accepted("outlier at 1e30", outlier);
+  std::vector<Point> clusters = sphere;
+  for(const Point& p : sphere)
+    clusters.emplace_back(p.x() + 1e7, p.y(), p.z());
+  accepted("clusters 1e7 apart", clusters);
+  for(const double scale : {1e-20, 1e20}) {
+    std::vector<Point> scaled;
+    for(const Point& p : sphere)
+      scaled.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+    accepted("extreme unit", scaled);
+  }
+}
+
+}  // namespace
+
+int main()
+{
+  one_sided_torus();
+  half_cylinder();
+  y_of_tubes();
+  thin_plate();
+  completion();
+  invariance();
+  parallel_equals_sequential();
+  kernels_and_ranges<CGAL::Simple_cartesian<double> >();
+  kernels_and_ranges<CGAL::Simple_cartesian<float> >();
+  kernels_and_ranges<CGAL::Exact_predicates_inexact_constructions_kernel>();
+  cancellation();
+  bad_input();
+  return EXIT_SUCCESS;
+}
