@@ -5,6 +5,7 @@
 #include "json.h"
 #include "point_file.h"
 
+#include <CGAL/extract_l1_medial_skeleton.h>
 #include <CGAL/extract_laplacian_contraction_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -41,6 +42,8 @@ struct Options {
   double contraction_weight = 1, attraction_weight = 1, contraction_factor = 3, threshold = 0.01;
   double sampling_radius = 0.02;
   bool is_surface = false, ignores_normals = false, keeps_tips = false;
+  // l1-medial
+  double initial_radius = 0, repulsion = 0.35;
 };
 
 struct Run {
@@ -106,9 +109,32 @@ Skeleton laplacian(Run& run)
   return extract(positions.normal_map(CGAL::Second_of_pair_property_map<Oriented_point>()), points);
 }
 
+Skeleton l1_medial(Run& run)
+{
+  const Options& options = run.options;
+  const support::Point_cloud cloud = support::read_point_cloud(options.input);
+  run.number_of_points = cloud.size();
+  std::vector<Point> points;
+  for(const support::Vec3& p : cloud.points)
+    points.push_back(to_point(p));
+  Skeleton skeleton;
+  CGAL::extract_l1_medial_skeleton<Concurrency_tag>(
+    points, skeleton,
+    params::number_of_samples(options.samples.value_or(700))
+      .neighbor_radius(options.initial_radius)
+      .repulsion_weight(options.repulsion)
+      .sampling_radius(options.sampling_radius)
+      .largest_merged_cycle(options.largest_merged_cycle)
+      .extend_tips(!options.keeps_tips)
+      .stage_times(std::ref(run.times))
+      .callback([&](double fraction) { return run.progress(fraction); }));
+  return skeleton;
+}
+
 using Method = Skeleton (*)(Run&);
 const std::map<std::string, Method> methods = {
   {"laplacian", laplacian},
+  {"l1-medial", l1_medial},
 };
 
 bool parse(Options& options, int argc, char** argv)
@@ -153,6 +179,13 @@ bool parse(Options& options, int argc, char** argv)
   line.option("--merge-cycles", "N", options.largest_merged_cycle,
               "merge cycles of at most N nodes; 0: none");
   line.flag("--keep-tips", options.keeps_tips, "do not extend tips to the end of the shape");
+
+  line.heading("Method l1-medial (and --samples, --sampling-radius, --merge-cycles, --keep-tips)");
+  line.option("--initial-radius", "H", options.initial_radius,
+              "h_0, support radius at the start, in the unit of the input")
+    .at_least(0).default_is("2 diagonals over the cube root of the number of points");
+  line.option("--repulsion", "X", options.repulsion, "mu, of samples along the skeleton")
+    .between(0, 0.49);
   if(!line.parse(argc, argv))
     return false;
   if(options.output.empty())

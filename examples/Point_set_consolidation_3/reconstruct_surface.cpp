@@ -6,13 +6,17 @@
 #include "point_file.h"
 #include "poisson_mesh.h"
 
+#include <CGAL/feature_enhanced_surface_reconstruction.h>
 #include <CGAL/skeleton_driven_surface_reconstruction.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -36,6 +40,11 @@ struct Options {
   bool is_regular = false;
   double smoothness_weight = 1, surface_weight = 50, skeleton_weight = 0.5, outside_weight = 0.005;
   double outside_factor = 4;
+  // feature-enhanced
+  std::size_t segments = 0;
+  std::vector<std::string> segment_methods;
+  double sharpness_angle = 20, upsampling = 1;
+  bool keeps_points = false;
 };
 
 struct Run {
@@ -52,6 +61,23 @@ support::Triangle_mesh poisson(Run& run)
   if(cloud.normals.empty())
     throw support::File_error(run.options.input + ": method poisson needs normals");
   return support::poisson_mesh(cloud.points, cloud.normals, run.options.poisson);
+}
+
+support::Triangle_mesh to_triangle_mesh(const Mesh& mesh)
+{
+  support::Triangle_mesh result;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    result.vertices.emplace_back(p.x(), p.y(), p.z());
+  }
+  for(const Mesh::Face_index face : mesh.faces()) {
+    std::array<std::size_t, 3> corners;
+    std::size_t k = 0;
+    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+      corners[k++] = std::size_t(v);
+    result.faces.push_back(corners);
+  }
+  return result;
 }
 
 support::Triangle_mesh skeleton_driven(Run& run)
@@ -82,25 +108,78 @@ support::Triangle_mesh skeleton_driven(Run& run)
       .stage_times(std::ref(run.times))
       .callback([&](double fraction) { return run.progress(fraction); }));
 
-  support::Triangle_mesh result;
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const Point& p = mesh.point(v);
-    result.vertices.emplace_back(p.x(), p.y(), p.z());
+  return to_triangle_mesh(mesh);
+}
+
+// Words NAME, or S:NAME for segment S only.
+std::vector<CGAL::Point_set_consolidation_3::Part_method>
+segment_methods(const std::vector<std::string>& words)
+{
+  using CGAL::Point_set_consolidation_3::Part_method;
+  static const std::map<std::string, Part_method> names = {{"automatic", Part_method::AUTOMATIC},
+                                                           {"data", Part_method::DATA},
+                                                           {"skeleton", Part_method::SKELETON}};
+  std::vector<Part_method> methods;
+  for(const std::string& word : words) {
+    const std::size_t colon = word.find(':');
+    const std::string number = word.substr(0, colon);
+    const auto found = colon == std::string::npos ? names.end() : names.find(word.substr(colon + 1));
+    if(found == names.end() || number.empty() || number.size() > 4 ||
+       number.find_first_not_of("0123456789") != std::string::npos)
+      throw support::Usage_error("--segment-method: " + word +
+                                 " is not S:automatic, S:data or S:skeleton with a segment's number S");
+    const std::size_t segment = std::stoul(number);
+    if(methods.size() <= segment)
+      methods.resize(segment + 1, Part_method::AUTOMATIC);
+    methods[segment] = found->second;
   }
-  for(const Mesh::Face_index face : mesh.faces()) {
-    std::array<std::size_t, 3> corners;
-    std::size_t k = 0;
-    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-      corners[k++] = std::size_t(v);
-    result.faces.push_back(corners);
+  return methods;
+}
+
+support::Triangle_mesh feature_enhanced(Run& run)
+{
+  typedef std::pair<Point, Kernel::Vector_3> Oriented_point;
+  const Options& options = run.options;
+  const support::Point_cloud cloud = support::read_point_cloud(options.input);
+  run.number_of_points = cloud.size();
+  std::vector<Oriented_point> points;
+  for(std::size_t i = 0; i < cloud.size(); ++i) {
+    const support::Vec3 p = cloud.points[i];
+    const support::Vec3 n = cloud.normals.empty() ? support::Vec3(0, 0, 0) : cloud.normals[i];
+    points.emplace_back(Point(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
   }
-  return result;
+  CGAL::Curve_skeleton_3<Kernel> skeleton;
+  std::string message;
+  if(!options.skeleton.empty() &&
+     !CGAL::IO::read_curve_skeleton(options.skeleton, skeleton, &message))
+    throw support::File_error(options.skeleton + ": " + message);
+
+  Mesh mesh;
+  const auto parameters = params::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
+                            .number_of_segments(options.segments)
+                            .segment_methods(segment_methods(options.segment_methods))
+                            .enhance_features(!options.keeps_points)
+                            .sharpness_angle(options.sharpness_angle)
+                            .upsampling_factor(options.upsampling)
+                            .grid_resolution(options.resolution)
+                            .surface_weight(options.surface_weight)
+                            .stage_times(std::ref(run.times))
+                            .callback([&](double fraction) { return run.progress(fraction); });
+  if(cloud.normals.empty())
+    CGAL::feature_enhanced_surface_reconstruction<Concurrency_tag>(points, skeleton, mesh,
+                                                                   parameters);
+  else
+    CGAL::feature_enhanced_surface_reconstruction<Concurrency_tag>(
+      points, skeleton, mesh,
+      parameters.normal_map(CGAL::Second_of_pair_property_map<Oriented_point>()));
+  return to_triangle_mesh(mesh);
 }
 
 using Method = support::Triangle_mesh (*)(Run&);
 const std::map<std::string, Method> methods = {
   {"poisson", poisson},
   {"skeleton-driven", skeleton_driven},
+  {"feature-enhanced", feature_enhanced},
 };
 
 bool parse(Options& options, int argc, char** argv)
@@ -134,6 +213,17 @@ bool parse(Options& options, int argc, char** argv)
   line.option("--outside-weight", "X", options.outside_weight, "omega_4").at_least(0);
   line.option("--outside-factor", "K", options.outside_factor,
               "radii from the skeleton that are outside").at_least(1);
+
+  line.heading("Method feature-enhanced (and --skeleton, --resolution, --surface-weight)");
+  line.option("--segments", "N", options.segments, "number of segments")
+    .default_is("found automatically");
+  line.option("--segment-method", "S:NAME", options.segment_methods,
+              "what the surface of segment S is made from: automatic, data or skeleton; may be repeated");
+  line.option("--sharpness-angle", "DEG", options.sharpness_angle,
+              "normals that differ by more are not averaged").between(1, 89);
+  line.option("--upsampling", "X", options.upsampling, "points after up-sampling, in numbers of points")
+    .between(1, 100);
+  line.flag("--keep-points", options.keeps_points, "do not denoise the points");
   if(!line.parse(argc, argv))
     return false;
   if(options.output.empty())

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
 #include <tuple>
@@ -62,7 +63,7 @@ bool parse(Options& options, int argc, char** argv)
     return false;
   if(options.output.empty())
     throw support::Usage_error("--output is missing");
-  if(support::extension(options.output) != "ply" && support::extension(options.output) != ".ply")
+  if(support::extension(options.output) != ".ply")
     throw support::File_error(options.output + ": the extension is not .ply");
   return true;
 }
