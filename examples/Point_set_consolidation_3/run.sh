@@ -58,7 +58,7 @@ consolidate() {
     error=$(number "$out.judge.json" '"truth_to_result":\{[^}]*"mean":([-+.e0-9]+)')
     error=$(LC_ALL=C awk -v e="$error" 'BEGIN { printf "%.2f %%", e }')
   fi
-  table+=("$(LC_ALL=C awk -v name="$name" -v points="$(number "$json" '"input_points":([0-9]+)')" \
+  table+=("$(LC_ALL=C awk -v name="$name" -v points="$(number "$json" '"points":([0-9]+)')" \
     -v completed="$(number "$json" '"completed_points":([0-9]+)')" \
     -v seconds="$(LC_ALL=C awk -v a="$begin" -v b="$end" 'BEGIN { print b - a }')" -v error="$error" \
     'BEGIN { printf "%-24s %8s %10s %8.1f %8s", name, points, completed, seconds, error }')")
