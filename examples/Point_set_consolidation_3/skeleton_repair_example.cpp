@@ -19,7 +19,6 @@ typedef CGAL::Curve_skeleton_3<Kernel> Skeleton;
 typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 
 namespace params = CGAL::Point_set_consolidation_3::parameters;
-
 // A ring of radius 1 and thickness 0.25 of which two parts were not scanned.
 std::vector<Point> incomplete_ring()
 {
@@ -37,7 +36,6 @@ std::vector<Point> incomplete_ring()
 int main()
 {
   const std::vector<Point> points = incomplete_ring();
-
   Skeleton skeleton;
   CGAL::extract_laplacian_contraction_skeleton<Concurrency_tag>(
     points, skeleton, params::extend_tips(false));
@@ -46,14 +44,12 @@ int main()
             << CGAL::number_of_skeleton_cycles(skeleton) << " cycles\n";
 
   // At the rims of the gaps the skeleton ends in small spurs off the axis: their radii tell.
-  for(std::size_t v = 0; v < num_vertices(skeleton);)
+  for(std::size_t v = 0; v < num_vertices(skeleton); ++v)
     if(degree(v, skeleton) == 1 && skeleton[v].radius < 0.2) {
       clear_vertex(v, skeleton);
       remove_vertex(v, skeleton);
-      v = 0;
+      v = std::size_t(-1);  // from the start
     }
-    else
-      ++v;
 
   // The repair: both halves are joined at both ends. It could as well be a file that the user keeps.
   std::vector<std::size_t> tips[2];  // with x > 0 and x < 0
