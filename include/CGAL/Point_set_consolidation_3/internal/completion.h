@@ -56,6 +56,10 @@ class Ball_clip {
   static constexpr double own_sheet = 3;          ///< data closer than this belong to the ball's own sheet
   static constexpr double grazing = 0.2;          ///< cosine: obstacles beside the point say nothing
   static constexpr double first_radius = 2;
+  static constexpr double thickness = 0.95;       ///< balls of a union reach farther than each of them should
+  static constexpr double flattest = 0.75;        ///< least share of the length that a flat face keeps
+  static constexpr double curvature_gain = 1.5;   ///< noise lowers the measured curvature of round parts
+  static constexpr double curvature_radius = 0.8; ///< of the ball's radius
   static constexpr double median_radius = 2;
   static constexpr double median_cosine = 0.7;
 
@@ -66,7 +70,8 @@ public:
     , m_point_grid(points, own_sheet), m_obstacle_grid(obstacles, own_sheet), m_obstacles(obstacles)
   {}
 
-  Balls clip(const Points& anchors, double largest) const
+  /// `is_one_sided`: all data were seen from one side, so that nothing but the visible face tells the depth.
+  Balls clip(const Points& anchors, double largest, bool is_one_sided) const
   {
     const std::size_t n = m_points.size();
     std::vector<double> length(n), smoothed(n);
@@ -76,6 +81,8 @@ public:
     parallel_for(m_execution, n, [&](std::size_t i) {
       const double sunk = (std::min)((anchors[i] - m_points[i]).norm(), largest);
       length[i] = clipped(i, sunk);
+      if(is_one_sided)
+        length[i] = thickness * flattened(i, length[i]);
       balls.is_clipped[i] = char(length[i] < sunk);
     });
     parallel_for(m_execution, n, [&](std::size_t i) {
@@ -93,6 +100,37 @@ public:
   }
 
 private:
+  /// A section whose visible face is flatter than its ball is an ellipse rather than a circle: with half
+  /// its width a and the curvature k = b / a^2 of the face, it is b = k a^2 thick instead of a.
+  double flattened(std::size_t i, double length) const
+  {
+    const double radius = (std::max)(own_sheet, curvature_radius * length);
+    const double roundness = curvature_gain * largest_curvature(i, radius) * length;
+    return length * (std::min)(1., (std::max)(flattest, roundness));
+  }
+
+  /// Larger principal curvature, from the change of the normals over the neighbourhood.
+  double largest_curvature(std::size_t i, double radius) const
+  {
+    const Vec3 &s = m_points[i], &n = m_normals[i];
+    const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
+    Mat3 normal_matrix = 1e-9 * Mat3::Identity();
+    Vec3 right_side = Vec3::Zero();
+    m_point_grid.for_each_neighbor(s, radius, [&](Index j, double) {
+      constexpr double same_sheet = 0.3;
+      if(m_normals[j].dot(n) < same_sheet)
+        return true;
+      const Vec3 d = m_points[j] - s, change = m_normals[j] - n;
+      const double x = d.dot(u), y = d.dot(v);
+      const Vec3 along_u(x, y, 0), along_v(0, x, y);
+      normal_matrix += along_u * along_u.transpose() + along_v * along_v.transpose();
+      right_side += change.dot(u) * along_u + change.dot(v) * along_v;
+      return true;
+    });
+    const Vec3 form = normal_matrix.ldlt().solve(right_side);  // second fundamental form
+    return 0.5 * (form[0] + form[2]) + std::hypot(0.5 * (form[0] - form[2]), form[1]);
+  }
+
   /// Tangent balls at one point are nested, so the balls are searched from small to large.
   double clipped(std::size_t i, double length) const
   {
@@ -141,6 +179,9 @@ class Completion {
   static constexpr double largest_ball = 0.3;     ///< of the diagonal
   static constexpr double obstacle_distance = 2.5;  ///< in sp: nearer free space is the data's own
   static constexpr double most_nodes = 3e7;       ///< coarser grids beyond: 16 bytes a node
+  static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
+  static constexpr double predictable = 0.12;     ///< of the balls' radius; found on the accuracy study
+  static constexpr double largest_miss = 6;
   static constexpr double linking_distance = 20;  ///< parts farther apart get grids of their own
   /// A node is inside if so many balls hold it: neighbouring balls overlap, so that one alone is too large.
   static constexpr std::size_t agreeing_balls = 3;
@@ -165,7 +206,8 @@ public:
       stage.update(0.3 * double(b + 1) / double(boxes.size()));
     }
     m_balls = Ball_clip(m_execution, m_input.points, m_sunk.normals, obstacles)
-                .clip(m_sunk.anchors, largest_ball * longest_diagonal(boxes));
+                .clip(m_sunk.anchors, largest_ball * longest_diagonal(boxes),
+                      m_free_space.number_of_views() == 1);
     stage.update(0.5);
     Completed_points completed;
     for(std::size_t b = 0; b < boxes.size(); ++b) {
@@ -180,6 +222,7 @@ public:
       append(completed.distance, part.distance);
       stage.update(0.5 + 0.5 * double(b + 1) / double(boxes.size()));
     }
+    leave_out_bridgeable_gaps(completed);
     describe(completed);
     return completed;
   }
@@ -407,6 +450,14 @@ private:
     return is_outside;
   }
 
+  /// From the data to the first completed point; less on parts that are thinner than that.
+  double least_distance(double ball_radius) const
+  {
+    constexpr double thin = 3;  // in sp: nearer points would disturb the data
+    return m_seen.spacing *
+           (std::max)(thin, (std::min)(m_parameters.least_gap, ball_radius / m_seen.spacing));
+  }
+
   /// Step 6: the surface of the solid where no data are near.
   Completed_points sample(const Scalar_grid& solid) const
   {
@@ -417,14 +468,16 @@ private:
       if(enters)
         crossings.push_back(crossing(solid, i, j));
     });
-    std::vector<double> distance(crossings.size());
-    parallel_for(m_execution, crossings.size(),
-                 [&](std::size_t i) { distance[i] = data_distance(crossings[i]); });
-    const double least = m_parameters.least_gap * m_seen.spacing;
+    std::vector<double> distance(crossings.size()), least(crossings.size());
+    const Nearest_neighbors centres(m_balls.centres);
+    parallel_for(m_execution, crossings.size(), [&](std::size_t i) {
+      distance[i] = data_distance(crossings[i]);
+      least[i] = least_distance(m_balls.radius[centres.nearest(crossings[i]).index]);
+    });
     Completed_points completed;
     Points far, normals;
     for(std::size_t i = 0; i < crossings.size(); ++i) {
-      if(distance[i] < least)
+      if(distance[i] < least[i])
         continue;
       const Vec3 normal = normalized_or(solid.gradient(crossings[i]), Vec3::Zero());
       if(normal.isZero())
@@ -498,6 +551,86 @@ private:
     completed.points = selected(completed.points, kept);
     completed.normals = selected(completed.normals, kept);
     completed.distance = selected(completed.distance, kept);
+  }
+
+  /// The mesher bridges narrow gaps better than balls that are only roughly right. Wide gaps are always
+  /// completed; the narrow ones if the balls from beyond them predict the data at their borders well. They are
+  /// completed together or not at all: the level that Poisson reconstruction extracts belongs to all
+  /// points, and thin parts left open beside closed ones would be lost. After one view, where
+  /// everything is open, all are completed.
+  void leave_out_bridgeable_gaps(Completed_points& completed) const
+  {
+    if(m_free_space.number_of_views() == 1)
+      return;
+    const std::size_t n = completed.points.size();
+    const double link = 3 * m_seen.spacing;
+    const Sorted_grid grid(completed.points, link);
+    const Nearest_neighbors centres(m_balls.centres);
+    std::vector<Index> nearest_datum(n);
+    std::vector<double> radius(n);
+    parallel_for(m_execution, n, [&](std::size_t i) {
+      nearest_datum[i] = m_data_tree.nearest(completed.points[i]).index;
+      radius[i] = m_balls.radius[centres.nearest(completed.points[i]).index];
+    });
+    std::vector<char> is_visited(n, 0);
+    std::vector<Index> wide, narrow;
+    double error = 0;
+    for(std::size_t seed = 0; seed < n; ++seed) {
+      if(is_visited[seed])
+        continue;
+      std::vector<Index> gap(1, Index(seed)), border;
+      std::vector<double> radii;
+      double width = 0;
+      is_visited[seed] = 1;
+      for(std::size_t k = 0; k < gap.size(); ++k) {
+        const Index i = gap[k];
+        width = (std::max)(width, completed.distance[i]);
+        border.push_back(nearest_datum[i]);
+        radii.push_back(radius[i]);
+        grid.for_each_neighbor(completed.points[i], link, [&](Index j, double) {
+          if(!is_visited[j]) {
+            is_visited[j] = 1;
+            gap.push_back(j);
+          }
+          return true;
+        });
+      }
+      if(width > wide_gap) {
+        append(wide, gap);
+        continue;
+      }
+      append(narrow, gap);
+      error += double(gap.size()) * prediction_error(std::move(border), width) /
+               median(std::move(radii));
+    }
+    if(error < predictable * double(narrow.size()))
+      append(wide, narrow);
+    std::sort(wide.begin(), wide.end());
+    completed.points = selected(completed.points, wide);
+    completed.normals = selected(completed.normals, wide);
+    completed.distance = selected(completed.distance, wide);
+  }
+
+  /// How far the balls that touch the surface beyond `distance` miss the data at the border of a gap.
+  double prediction_error(std::vector<Index> border, double distance) const
+  {
+    std::sort(border.begin(), border.end());
+    border.erase(std::unique(border.begin(), border.end()), border.end());
+    std::vector<double> error(border.size());
+    parallel_for(m_execution, border.size(), [&](std::size_t b) {
+      const Vec3& x = m_seen.points[border[b]];
+      std::array<double, agreeing_balls> nearest;
+      nearest.fill(largest_miss);
+      for(std::size_t i = 0; i < m_balls.centres.size(); ++i)
+        if((m_input.points[i] - x).norm() > distance) {
+          double d = (x - m_balls.centres[i]).norm() - m_balls.radius[i];
+          for(double& slot : nearest)
+            if(d < slot)
+              std::swap(d, slot);
+        }
+      error[b] = (std::min)(largest_miss, std::abs(nearest.back()));
+    });
+    return mean(error);
   }
 
   void describe(Completed_points& completed) const

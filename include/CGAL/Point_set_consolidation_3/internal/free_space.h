@@ -181,6 +181,7 @@ private:
       image.distance[p] = float(std::sqrt(tree.nearest(centre).squared_distance));
     });
     close_gaps(execution, image);
+    sign_inside(execution, image);
     return image;
   }
 
@@ -206,6 +207,28 @@ private:
       distance = to_outside > reach
                    ? 0.f
                    : (std::min)(distance, float(reach - to_outside + 0.7 * image.pixel));
+    });
+  }
+
+  /// Inside of the silhouette the distance to it is negative, so that thin parts survive smoothing.
+  static void sign_inside(const Execution& execution, Image& image)
+  {
+    Points outside;
+    for(int y = 0; y < image.height; ++y)
+      for(int x = 0; x < image.width; ++x)
+        if(image.distance[image.at(x, y)] > image.pixel)
+          outside.push_back(image.pixel_centre(x, y));
+    if(outside.empty())
+      return;
+    const Nearest_neighbors tree(outside);
+    parallel_for(execution, image.distance.size(), [&](std::size_t p) {
+      float& distance = image.distance[p];
+      if(distance > image.pixel)
+        return;
+      const Vec3 centre =
+        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
+      const double inside = std::sqrt(tree.nearest(centre).squared_distance);
+      distance = (std::min)(distance, float(image.pixel - inside));
     });
   }
 
