@@ -44,7 +44,7 @@ struct Options {
   std::size_t segments = 0;
   std::vector<std::string> segment_methods;
   double sharpness_angle = 20, upsampling = 1;
-  bool keeps_points = false;
+  std::string denoise = "auto";
 };
 
 struct Run {
@@ -155,23 +155,26 @@ support::Triangle_mesh feature_enhanced(Run& run)
     throw support::File_error(options.skeleton + ": " + message);
 
   Mesh mesh;
-  const auto parameters = params::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
-                            .number_of_segments(options.segments)
-                            .segment_methods(segment_methods(options.segment_methods))
-                            .enhance_features(!options.keeps_points)
-                            .sharpness_angle(options.sharpness_angle)
-                            .upsampling_factor(options.upsampling)
-                            .grid_resolution(options.resolution)
-                            .surface_weight(options.surface_weight)
-                            .stage_times(std::ref(run.times))
-                            .callback([&](double fraction) { return run.progress(fraction); });
-  if(cloud.normals.empty())
-    CGAL::feature_enhanced_surface_reconstruction<Concurrency_tag>(points, skeleton, mesh,
-                                                                   parameters);
-  else
+  const auto reconstruct = [&](const auto& np) {
     CGAL::feature_enhanced_surface_reconstruction<Concurrency_tag>(
       points, skeleton, mesh,
-      parameters.normal_map(CGAL::Second_of_pair_property_map<Oriented_point>()));
+      np.number_of_segments(options.segments)
+        .segment_methods(segment_methods(options.segment_methods))
+        .sharpness_angle(options.sharpness_angle)
+        .upsampling_factor(options.upsampling)
+        .grid_resolution(options.resolution)
+        .surface_weight(options.surface_weight)
+        .stage_times(std::ref(run.times))
+        .callback([&](double fraction) { return run.progress(fraction); }));
+  };
+  const auto positions = params::point_map(CGAL::First_of_pair_property_map<Oriented_point>());
+  const auto oriented = positions.normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
+  if(options.denoise == "auto")
+    cloud.normals.empty() ? reconstruct(positions) : reconstruct(oriented);
+  else if(cloud.normals.empty())
+    reconstruct(positions.enhance_features(options.denoise == "yes"));
+  else
+    reconstruct(oriented.enhance_features(options.denoise == "yes"));
   return to_triangle_mesh(mesh);
 }
 
@@ -223,7 +226,8 @@ bool parse(Options& options, int argc, char** argv)
               "normals that differ by more are not averaged").between(1, 89);
   line.option("--upsampling", "X", options.upsampling, "points after up-sampling, in numbers of points")
     .between(1, 100);
-  line.flag("--keep-points", options.keeps_points, "do not denoise the points");
+  line.option("--denoise", "WHEN", options.denoise, "denoise the points; auto: if they are noisy")
+    .one_of({"auto", "yes", "no"});
   if(!line.parse(argc, argv))
     return false;
   if(options.output.empty())

@@ -26,7 +26,8 @@ namespace Point_set_consolidation_3 {
 What the surface of a segment is made from.
 */
 enum class Part_method : unsigned char {
-  /// from the skeleton where the skeleton is confirmed by data at most of its length, from the data otherwise
+  /// as `SKELETON` if the skeleton is given and data confirm most of the segment's part of it, as `DATA` otherwise:
+  /// with centres and radii of an extracted skeleton the cylinders do more harm than good
   AUTOMATIC,
   /// from the data alone; the skeleton only tells inside from outside
   DATA,
@@ -74,10 +75,20 @@ inline std::vector<double> confirmed_shares(const Skeleton_graph& graph, const P
   return confirmed;
 }
 
+/// Whether denoising gains more than it flattens curved parts. Points in units of their spacing.
+inline bool is_noisy(const Execution& execution, const Points& points)
+{
+  constexpr double least_noise = 0.15;  // a tube of radius 9 without noise has 0.06
+  Normal_parameters parameters;
+  parameters.plane_neighbors = parameters.neighbors = 12;
+  return Normal_optimization(execution, points, parameters).noise() > least_noise;
+}
+
 struct Feature_enhanced_settings {
   Segmentation_settings segmentation;
   std::vector<Part_method> methods;   ///< of the segments; missing ones are automatic
   bool enhances = true;
+  bool is_enhancement_automatic = true;  ///< only if there is noise
   double sharpness_angle = 20;
   double upsampling_factor = 1;
   Field_parameters field;
@@ -107,7 +118,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
     if(normals.empty())
       normals = estimated_normals(execution, points);
     stage.update(0.3);
-    if(settings.enhances) {
+    if(settings.is_enhancement_automatic ? is_noisy(execution, points) : settings.enhances) {
       Feature_parameters features;
       features.oriented = true;
       features.sharpness_angle = settings.sharpness_angle;
@@ -173,9 +184,10 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
     const Part_method method =
       s < settings.methods.size() ? settings.methods[s] : Part_method::AUTOMATIC;
     is_wanted.push_back(method == Part_method::SKELETON ||
-                        (method == Part_method::AUTOMATIC && confirmed[s] >= confirmed_enough));
+                        (method == Part_method::AUTOMATIC && !given.nodes.empty() &&
+                         confirmed[s] >= confirmed_enough));
   }
-  const Skeleton_completion completion(points, 1, result.skeleton);
+  const Skeleton_completion completion(points, normals, 1, result.skeleton);
   const Completed_points completed = completion.run(is_wanted, !given.nodes.empty());
   fused.points.insert(fused.points.end(), completed.points.begin(), completed.points.end());
   fused.normals.insert(fused.normals.end(), completed.normals.begin(), completed.normals.end());
@@ -239,7 +251,8 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
     \cgalParamNBegin{enhance_features}
       \cgalParamDescription{whether normals are optimised and points denoised}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`true`}
+      \cgalParamDefault{`true` if points lie more than 0.15 spacings off the planes of their neighbours, so that thin
+        parts of clean data are not flattened}
     \cgalParamNEnd
     \cgalParamNBegin{sharpness_angle}
       \cgalParamDescription{\f$\alpha\f$ of equation (5), degrees, (0, 90)}
@@ -264,7 +277,8 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
     \cgalParamNBegin{segment_methods}
       \cgalParamDescription{what the surface of each segment is made from, in the order of the segments' numbers}
       \cgalParamType{a range of `Point_set_consolidation_3::Part_method`, by value or by `std::ref`}
-      \cgalParamDefault{`Part_method::AUTOMATIC` for all: completed if data confirm at least 60 % of its skeleton}
+      \cgalParamDefault{`Part_method::AUTOMATIC` for all: completed if the skeleton is given and data confirm at least 60 % of
+        it}
     \cgalParamNEnd
     \cgalParamNBegin{grid_resolution}
       \cgalParamDescription{cells along the longest side of the bounding box, in [8, 1024]}
@@ -318,6 +332,7 @@ bool feature_enhanced_surface_reconstruction(
     normals = copy_unit_normals(function, points, np);
   Feature_enhanced_settings settings;
   settings.enhances = parameter_or(np, tags::enhance_features, settings.enhances);
+  settings.is_enhancement_automatic = !has_parameter<NP, tags::enhance_features_t>;
   settings.sharpness_angle = parameter_or(np, tags::sharpness_angle, settings.sharpness_angle);
   settings.upsampling_factor = parameter_or(np, tags::upsampling_factor, settings.upsampling_factor);
   settings.segmentation.method =
@@ -385,7 +400,8 @@ bool feature_enhanced_surface_reconstruction(
   \param skeleton a skeleton with radii whose vertices know their points.
   \param output receives the missing points.
   \param trusts_all whether all vertices count, for skeletons edited by hand.
-  \param np an optional sequence of named parameters: `point_map`, `geom_traits`.
+  \param np an optional sequence of named parameters: `point_map`, `normal_map` (outward; without it normals are
+  estimated), `geom_traits`.
 
   \return `output` past the last point.
   \throws std::invalid_argument if there are too few points, a coordinate is not finite, most points
@@ -412,7 +428,12 @@ OutputIterator complete_point_set_along_skeleton(
   const Execution execution = make_execution<ConcurrencyTag>();
   const Frame frame = data_frame(execution, world, world.size());
   require(frame.unit > 0, function, "more than half of the points coincide");
-  const Skeleton_completion completion(world, frame.unit, graph);
+  Points normals = copy_normals(function, points, np);
+  if(normals.empty())
+    normals = estimated_normals(execution, local_points(frame, world));
+  else
+    normals = copy_unit_normals(function, points, np);
+  const Skeleton_completion completion(world, normals, frame.unit, graph);
   const Completed_points completed =
     completion.run(std::vector<char>(graph.edges.size(), 1), trusts_all);
   for(std::size_t i = 0; i < completed.points.size(); ++i)

@@ -82,6 +82,15 @@ public:
     return normals;
   }
 
+  /// Typical distance of points from the planes through their neighbours: noise, and little curvature.
+  double noise() const
+  {
+    std::vector<double> variances(m_points.size());
+    parallel_for(m_execution, variances.size(),
+                 [&](std::size_t i) { variances[i] = fitted_plane(i).variance; });
+    return std::sqrt(median(std::move(variances)));
+  }
+
   /// Normals of planes that stay on one side of an edge. Signs as in `hints`, if there are any.
   Points separated_normals(const Points& hints) const
   {

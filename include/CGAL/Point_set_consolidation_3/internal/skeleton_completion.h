@@ -33,10 +33,17 @@ class Skeleton_completion {
   static constexpr std::size_t profile_bins = 16;
   static constexpr double least_gap = 3;           ///< spacings: a ring point nearer to data is not missing
   static constexpr double least_relative_gap = 0.35;  ///< of the radius, the same
+  /// A ring point is inside of the shape, and not missing, if the data around see it so far below their tangent
+  /// planes (cosine): beside a gap of the surface the data see it in their planes.
+  static constexpr double most_inside = -0.35;
+  static constexpr std::size_t inside_voters = 6;
 
 public:
-  Skeleton_completion(const Points& data, double spacing, const Skeleton_graph& graph)
-    : m_data(data), m_spacing(spacing), m_graph(graph), m_trusted(data)
+  /// `normals`: outward ones of the data.
+  Skeleton_completion(const Points& data, const Points& normals, double spacing,
+                      const Skeleton_graph& graph)
+    : m_data(data), m_normals(normals), m_spacing(spacing), m_graph(graph), m_trusted(data)
+    , m_tree(data)
   {}
 
   /// `is_wanted`: edges along which points are wanted; `trusts_all`: for skeletons edited by hand.
@@ -94,6 +101,16 @@ private:
     return result;
   }
 
+  bool is_inside(const Vec3& x) const
+  {
+    std::vector<Neighbor> near;
+    m_tree.find(x, inside_voters, near);
+    double sum = 0;
+    for(const Neighbor& neighbor : near)
+      sum += m_normals[neighbor.index].dot(normalized_or(x - m_data[neighbor.index], Vec3::Zero()));
+    return sum < most_inside * double(near.size());
+  }
+
   void add_rings(std::size_t edge, Completed_points& result) const
   {
     const Skeleton_node& a = m_graph.nodes[m_graph.edges[edge][0]];
@@ -123,7 +140,7 @@ private:
                          t * ((1 - f) * end[bin] + f * end[next]);
         const Vec3 n = std::cos(2 * CGAL_PI * turn) * u + std::sin(2 * CGAL_PI * turn) * v;
         const Vec3 x = a.position + t * along + r * n;
-        if(m_trusted.distance(x) < gap)
+        if(m_trusted.distance(x) < gap || is_inside(x))
           continue;
         result.points.push_back(x);
         result.normals.push_back(n);
@@ -133,9 +150,11 @@ private:
   }
 
   const Points& m_data;
+  const Points& m_normals;
   double m_spacing;
   const Skeleton_graph& m_graph;
   Trusted_nodes m_trusted;
+  Nearest_neighbors m_tree;
 };
 
 }  // namespace internal
