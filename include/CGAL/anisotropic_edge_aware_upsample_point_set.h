@@ -225,7 +225,7 @@ OutputIterator anisotropic_edge_aware_upsample_point_set(
 
   const Points world = copy_points(function, points, np, least_points);
   const Points normals = copy_unit_normals(function, points, np);
-  Upsampling_parameters parameters;
+  Edge_aware_parameters parameters;
   parameters.oriented = true;
   parameters.formula = parameter_or(np, tags::upsampling_formula, parameters.formula);
   parameters.number_of_points =

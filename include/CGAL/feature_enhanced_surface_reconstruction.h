@@ -166,7 +166,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
   fused.points = points;
   fused.normals = normals;
   if(settings.upsampling_factor > 1) {
-    Upsampling_parameters upsampling;
+    Edge_aware_parameters upsampling;
     upsampling.oriented = true;
     upsampling.sharpness_angle = settings.sharpness_angle;
     upsampling.number_of_points = std::size_t(settings.upsampling_factor * double(points.size()));
@@ -188,7 +188,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
                          confirmed[s] >= confirmed_enough));
   }
   const Skeleton_completion completion(points, normals, 1, result.skeleton);
-  const Completed_points completed = completion.run(is_wanted, !given.nodes.empty());
+  const Skeleton_completed_points completed = completion.run(is_wanted, !given.nodes.empty());
   fused.points.insert(fused.points.end(), completed.points.begin(), completed.points.end());
   fused.normals.insert(fused.normals.end(), completed.normals.begin(), completed.normals.end());
 
@@ -434,7 +434,7 @@ OutputIterator complete_point_set_along_skeleton(
   else
     normals = copy_unit_normals(function, points, np);
   const Skeleton_completion completion(world, normals, frame.unit, graph);
-  const Completed_points completed =
+  const Skeleton_completed_points completed =
     completion.run(std::vector<char>(graph.edges.size(), 1), trusts_all);
   for(std::size_t i = 0; i < completed.points.size(); ++i)
     *output++ = std::make_pair(to_point<Kernel>(completed.points[i]),

@@ -26,9 +26,7 @@ enum class Prior : unsigned char {
   /// Thickness as in the neighbourhood, equation (8) of the deep points paper.
   VOLUME_PRESERVING,
   /// Thickness decays away from the data, equation (9).
-  MINIMAL_VOLUME,
-  /// Gaps are closed by the flattest cap: for open bases and cut faces.
-  FLAT
+  MINIMAL_VOLUME
 };
 
 }  // namespace Point_set_consolidation_3

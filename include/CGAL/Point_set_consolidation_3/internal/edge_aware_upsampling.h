@@ -37,7 +37,7 @@ namespace internal {
 /// Insertion goes in rounds: all bases are rated on the same set, then the best are taken as long as they
 /// do not crowd each other. So the result does not depend on threads, and a round is parallel.
 
-struct Upsampling_parameters {
+struct Edge_aware_parameters {
   Upsampling_formula formula = Upsampling_formula::WEIGHTED;
   bool oriented = false;
   std::size_t number_of_points = 0;
@@ -56,7 +56,7 @@ class Edge_aware_upsampling {
 
 public:
   Edge_aware_upsampling(Execution& execution, const Points& points, const Points& normals,
-                        const Upsampling_parameters& parameters)
+                        const Edge_aware_parameters& parameters)
     : m_execution(execution), m_parameters(parameters), m_points(points), m_normals(normals)
     , m_phi(parameters.sharpness_angle, parameters.oriented)
   {}
@@ -237,7 +237,7 @@ private:
   }
 
   Execution& m_execution;
-  Upsampling_parameters m_parameters;
+  Edge_aware_parameters m_parameters;
   Points m_points, m_normals;
   Normal_similarity m_phi;
 };

@@ -113,7 +113,7 @@ inline Oriented_points project_anisotropically(Execution& execution, double shar
 
 /// Section III.B. The result begins with the given points, their positions unchanged.
 inline Oriented_points upsample_at_edges(Execution& execution, double share, const Points& world,
-                                         const Points& normals, Upsampling_parameters parameters)
+                                         const Points& normals, Edge_aware_parameters parameters)
 {
   Stage stage(execution, "upsampling", share);
   const Frame frame = data_frame(execution, world, world.size());

@@ -24,7 +24,7 @@ namespace internal {
 /// Only between nodes whose radius the data around them confirm: elsewhere centre and radius of
 /// an automatic skeleton are guesses, and rings around them do harm.
 
-struct Completed_points {
+struct Skeleton_completed_points {
   Points points, normals;
   std::vector<std::size_t> edges;  ///< the skeleton edge of each point
 };
@@ -47,7 +47,7 @@ public:
   {}
 
   /// `is_wanted`: edges along which points are wanted; `trusts_all`: for skeletons edited by hand.
-  Completed_points run(const std::vector<char>& is_wanted, bool trusts_all) const
+  Skeleton_completed_points run(const std::vector<char>& is_wanted, bool trusts_all) const
   {
     const std::vector<std::vector<std::size_t> > neighbors = adjacency(m_graph);
     std::vector<char> is_trusted(m_graph.nodes.size(), 1);
@@ -56,7 +56,7 @@ public:
         is_trusted[i] = m_graph.nodes[i].radius > 0 &&
                         m_trusted(m_graph.nodes[i].position, axis_at(m_graph, neighbors, i));
     spread_trust(neighbors, is_trusted);
-    Completed_points result;
+    Skeleton_completed_points result;
     for(std::size_t e = 0; e < m_graph.edges.size(); ++e)
       if(is_wanted[e] && is_trusted[m_graph.edges[e][0]] && is_trusted[m_graph.edges[e][1]])
         add_rings(e, result);
@@ -111,7 +111,7 @@ private:
     return sum < most_inside * double(near.size());
   }
 
-  void add_rings(std::size_t edge, Completed_points& result) const
+  void add_rings(std::size_t edge, Skeleton_completed_points& result) const
   {
     const Skeleton_node& a = m_graph.nodes[m_graph.edges[edge][0]];
     const Skeleton_node& b = m_graph.nodes[m_graph.edges[edge][1]];

@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CONSOLIDATION_SUPPORT_CONSOLIDATION_H
+#define CONSOLIDATION_SUPPORT_CONSOLIDATION_H
+
+#include "types.h"
+
+#include <functional>
+#include <string>
+
+namespace support {
+
+/// The methods that consolidate a scan, by name. Lengths as in the functions of the package.
+struct Consolidation_options {
+  std::string method = "deep-points";  ///< deep-points, iterative, anisotropic-wlop or wlop
+  bool wants_points = true;            ///< the method's own points
+  bool wants_completed = true;         ///< the completed input, for the methods that complete
+  std::vector<Vec3> scanner;           ///< positions in the order of the views
+  std::size_t particles = 0;           ///< 0: the method's default
+  double percentage = 0;               ///< the same in percent of the input
+  double radius = 0;                   ///< 0: the method's default
+  unsigned int wlop_iterations = 35;
+  bool keep_density = false;
+  std::string prior = "volume-preserving", data_term = "full";
+  double omega = 45, sigma_p = 5, sigma_q = 2, mu = 0.4, mu_hat = 0.4, epsilon = 0.1;
+  std::size_t skeleton_iterations = 10, surface_iterations = 60;
+  bool no_closing = false;
+};
+
+struct Named_time {
+  std::string name;
+  double seconds;
+  std::size_t iterations;
+};
+
+struct Consolidation_result {
+  Point_cloud consolidated;          ///< the method's own points
+  Point_cloud completed;             ///< the caller's points, then the missing ones; may be empty
+  std::size_t completed_points = 0;  ///< how many of them are new
+  Segment_graph deep_points;         ///< outer and inner vertices, radius: length of the deep point
+  std::vector<Named_time> times;
+  double spacing = 0;                ///< of the consolidated points; 0: not computed
+};
+
+/// `progress` may be empty; it cannot cancel.
+/// \throws std::invalid_argument if the data or an option do not allow it; Usage errors are the caller's.
+Consolidation_result consolidate(const Point_cloud& cloud, const Consolidation_options& options,
+                                 const std::function<void(double)>& progress);
+
+/// Edge-aware up-sampling after bilateral smoothing of the normals (figure 15 of the deep points paper).
+void upsample(Point_cloud& cloud, std::size_t count);
+
+}  // namespace support
+
+#endif  // CONSOLIDATION_SUPPORT_CONSOLIDATION_H
