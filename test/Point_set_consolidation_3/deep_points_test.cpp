@@ -271,10 +271,17 @@ void invariance()
     Scan moved = scan;
     for(Vec3& p : moved.points)
       p += offset;
-    const double d = deviation(reference, consolidate(rays(moved), psc::Data_term::NORMAL, 1000),
-                               [&](const Vec3& p) { return Vec3(p - offset); });
-    std::cout << "offset: deviation " << d << std::endl;
-    assert(d < tolerance);
+    // the offset leaves nine digits of the coordinates, and iterations amplify the difference: the points
+    // are not the same, but as good
+    std::vector<Deep_point> back;
+    for(const Deep_point& p : consolidate(rays(moved), psc::Data_term::NORMAL, 1000)) {
+      const Vector shift(offset.x(), offset.y(), offset.z());
+      back.emplace_back(p.outer() - shift, p.inner() - shift, p.normal(), p.confidence());
+    }
+    const Quality before = judge(torus, scan, reference), after = judge(torus, scan, back);
+    assert(after.inner < 1.2 * before.inner);
+    assert(after.outer < 1.2 * before.outer);
+    assert(after.coverage > before.coverage - 0.05);
   }
   {
     const Eigen::Matrix3d R(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
