@@ -229,17 +229,58 @@ private:
     const Nearest_neighbors tree(m_start);
     for(std::size_t i = 0; i < m_all.size(); ++i)
       result.nodes[node_of[tree.nearest(m_all[i]).index]].points.push_back(i);
-    const std::vector<std::vector<std::size_t> > neighbors = adjacency(result);
-    for(std::size_t i = 0; i < result.nodes.size(); ++i) {
-      const Vec3 axis = axis_at(result, neighbors, i);
-      std::vector<double> distances;
-      for(const std::size_t p : result.nodes[i].points)
-        distances.push_back(across(m_all[p] - result.nodes[i].position, axis).norm());
-      result.nodes[i].radius = median(std::move(distances));
-    }
+    measure_radii(result);
+    while(remove_spur(result))
+      measure_radii(result);
     if(m_parameters.extend_tips)
       internal::extend_tips(result, m_all);
     return to_world(result, m_frame);
+  }
+
+  void measure_radii(Skeleton_graph& graph) const
+  {
+    const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
+    for(std::size_t i = 0; i < graph.nodes.size(); ++i) {
+      const Vec3 axis = axis_at(graph, neighbors, i);
+      std::vector<double> distances;
+      for(const std::size_t p : graph.nodes[i].points)
+        distances.push_back(across(m_all[p] - graph.nodes[i].position, axis).norm());
+      graph.nodes[i].radius = median(std::move(distances));
+    }
+  }
+
+  /// Removes the shortest branch that ends inside of the ball of its joint: samples at the end of a tube that
+  /// came late to the curve. Its points go to the joint.
+  static bool remove_spur(Skeleton_graph& graph)
+  {
+    const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
+    std::vector<std::size_t> spur;  // from the joint on
+    double shortest = std::numeric_limits<double>::max();
+    for(std::vector<std::size_t> chain : polylines_of(graph)) {
+      if(neighbors[chain.front()].size() == 1)
+        std::reverse(chain.begin(), chain.end());
+      if(neighbors[chain.front()].size() < 3 || neighbors[chain.back()].size() != 1)
+        continue;
+      double length = 0;
+      for(std::size_t k = 1; k < chain.size(); ++k)
+        length += (graph.nodes[chain[k]].position - graph.nodes[chain[k - 1]].position).norm();
+      if(length < (std::min)(shortest, graph.nodes[chain.front()].radius)) {
+        shortest = length;
+        spur = std::move(chain);
+      }
+    }
+    if(spur.empty())
+      return false;
+    std::vector<char> keep(graph.nodes.size(), 1);
+    std::vector<std::size_t>& points = graph.nodes[spur.front()].points;
+    for(std::size_t k = 1; k < spur.size(); ++k) {
+      const std::vector<std::size_t>& lost = graph.nodes[spur[k]].points;
+      points.insert(points.end(), lost.begin(), lost.end());
+      keep[spur[k]] = 0;
+    }
+    std::sort(points.begin(), points.end());
+    graph = subgraph(graph, keep);
+    return true;
   }
 
   Execution& m_execution;
