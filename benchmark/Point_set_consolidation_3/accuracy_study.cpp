@@ -8,6 +8,8 @@
 #include "judge.h"
 #include "methods.h"
 #include "models.h"
+#include "picture.h"
+#include "plot.h"
 #include "point_file.h"
 #include "study_table.h"
 #include "virtual_scanner.h"
@@ -25,7 +27,7 @@ namespace {
 const char* const usage =
     R"(accuracy_study [options]
 Scans ground truth meshes, reconstructs them by each method and measures the error. Writes into --out:
-rows.csv (every run), cases.csv (means over the seeds) and report.md (summary, then all cases, losses first).
+rows.csv (every run), cases.csv (means over the seeds), report.md (summary, then all cases, losses first) and plots.
   --data DIR        CGAL's data (environment variable CGAL_DATA_DIR)
   --models LIST     names, or groups tuning, check, extra, all (tuning,check)
   --specs LIST      noise c (clean), n (0.5 %) or h (2 %), then the number of views, then p for a perspective
@@ -35,7 +37,7 @@ rows.csv (every run), cases.csv (means over the seeds) and report.md (summary, t
   --reference NAME  method that ratios refer to (direct)
   --jobs N          processes (1)
   --cache DIR       keeps the results of methods that do not depend on the package from run to run
-  --pictures DIR    writes every mesh and scan there
+  --pictures DIR    writes every mesh and scan there, and a picture of each case
   --timeout N       seconds for one reconstruction (600)
   --out DIR         (accuracy_study_results)
   --quick           three models, two specs
@@ -44,7 +46,7 @@ rows.csv (every run), cases.csv (means over the seeds) and report.md (summary, t
 /// Percent of the diagonal per letter.
 double noise_of(char letter)
 {
-  switch (letter) {
+  switch(letter) {
     case 'c': return 0.0;
     case 'n': return 0.5;
     case 'h': return 2.0;
@@ -55,11 +57,13 @@ double noise_of(char letter)
 Scanner_options scanner_options(const std::string& spec, std::uint64_t seed)
 {
   Scanner_options options;
-  if (spec.size() < 2) throw Usage_error("a spec is a letter and a number, not '" + spec + "'");
+  if(spec.size() < 2)
+    throw Usage_error("a spec is a letter and a number, not '" + spec + "'");
   options.noise = noise_of(spec[0]);
   options.perspective = spec.back() == 'p';
   const std::string views = spec.substr(1, spec.size() - (options.perspective ? 2 : 1));
-  if (views.empty() || views.find_first_not_of("0123456789") != std::string::npos || std::stoul(views) == 0) {
+  if(views.empty() || views.find_first_not_of("0123456789") != std::string::npos
+     || std::stoul(views) == 0) {
     throw Usage_error("a spec is a letter and a number, not '" + spec + "'");
   }
   options.views = std::stoul(views);
@@ -87,7 +91,7 @@ struct Case {
 fs::path row_file(const Settings& settings, const Case& c, const Method& method)
 {
   const std::string name = c.name() + "_" + method.name;
-  if (method.baseline && !settings.cache.empty()) {
+  if(method.baseline && !settings.cache.empty()) {
     return settings.cache / (name + "_" + baseline_settings + ".csv");
   }
   return settings.out / "rows" / (name + ".csv");
@@ -98,14 +102,20 @@ fs::path mesh_file(const Settings& settings, const Case& c, const Method& method
   return settings.pictures / (c.name() + "_" + method.name + ".ply");
 }
 
+fs::path scan_file(const Settings& settings, const Case& c)
+{
+  return settings.pictures / (c.name() + "_scan.ply");
+}
+
 bool read_row(const fs::path& file, Study_row& row)
 {
   std::ifstream in(file);
   std::string line;
-  if (!std::getline(in, line)) return false;
+  if(!std::getline(in, line))
+    return false;
   try {
     row = from_csv(line);
-  } catch (const std::exception&) {
+  } catch(const std::exception&) {
     return false;  // written by another version
   }
   return true;
@@ -121,8 +131,9 @@ void write_row(const fs::path& file, const Study_row& row)
 bool is_kept(const Settings& settings, const Case& c, const Method& method)
 {
   Study_row row;
-  return method.baseline && !settings.cache.empty() && read_row(row_file(settings, c, method), row) &&
-         (settings.pictures.empty() || fs::exists(mesh_file(settings, c, method)));
+  return method.baseline && !settings.cache.empty() && read_row(row_file(settings, c, method), row)
+         && (settings.pictures.empty()
+             || (fs::exists(mesh_file(settings, c, method)) && fs::exists(scan_file(settings, c))));
 }
 
 double seconds_since(std::chrono::steady_clock::time_point begin)
@@ -130,8 +141,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::vector<double> run_method(const Settings& settings, const Case& c, const Method& method, const Scan& scan,
-                               const Judge& judge)
+std::vector<double> run_method(const Settings& settings, const Case& c, const Method& method,
+                               const Scan& scan, const Judge& judge)
 {
   auto begin = std::chrono::steady_clock::now();
   const Method_result result = method.run(scan.cloud);
@@ -139,7 +150,8 @@ std::vector<double> run_method(const Settings& settings, const Case& c, const Me
   begin = std::chrono::steady_clock::now();
   const Triangle_mesh mesh = reconstruct(result);
   const double seconds_mesh = seconds_since(begin);
-  if (!settings.pictures.empty()) support::write_mesh(mesh_file(settings, c, method).string(), mesh);
+  if(!settings.pictures.empty())
+    support::write_mesh(mesh_file(settings, c, method).string(), mesh);
   return study_values(judge.mesh(mesh), result.points.size(), seconds_method, seconds_mesh);
 }
 
@@ -147,19 +159,21 @@ std::vector<double> run_method(const Settings& settings, const Case& c, const Me
 void run_case(const Settings& settings, const Case& c)
 {
   std::vector<Method> pending;
-  for (const Method& method : settings.methods) {
-    if (is_kept(settings, c, method)) continue;
+  for(const Method& method : settings.methods) {
+    if(is_kept(settings, c, method))
+      continue;
     fs::remove(row_file(settings, c, method));
     pending.push_back(method);
   }
-  if (pending.empty()) return;
+  if(pending.empty())
+    return;
   const Triangle_mesh truth = load_model(c.model, settings.data);
   const Scan scan = scan_mesh(truth, scanner_options(c.spec, c.seed));
   const Judge judge(truth, truth_cloud(scan));
-  if (!settings.pictures.empty()) {
-    support::write_point_cloud((settings.pictures / (c.name() + "_scan.ply")).string(), scan.cloud);
+  if(!settings.pictures.empty()) {
+    support::write_point_cloud(scan_file(settings, c).string(), scan.cloud);
   }
-  for (const Method& method : pending) {
+  for(const Method& method : pending) {
     Study_row row;
     row.model = c.model.name;
     row.spec = c.spec;
@@ -171,10 +185,11 @@ void run_case(const Settings& settings, const Case& c)
       write_row(file, row);
     };
     row.error = run_in_child(task, settings.timeout);
-    if (!row.error.empty()) write_row(file, row);
+    if(!row.error.empty())
+      write_row(file, row);
     read_row(file, row);
     std::cerr << c.model.name << " " << c.spec << " seed " << c.seed << " " << method.name << ": ";
-    if (row.failed()) {
+    if(row.failed()) {
       std::cerr << row.error << "\n";
     } else {
       std::cerr << row.value("forward_mean") << " / " << row.value("reverse_mean") << " ("
@@ -187,13 +202,84 @@ void write_table(const fs::path& file, const std::vector<Study_row>& rows)
 {
   std::ofstream out(file);
   out << csv_header() << "\n";
-  for (const Study_row& row : rows) out << to_csv(row) << "\n";
-  if (!out.flush()) throw support::File_error(file.string() + ": cannot be written");
+  for(const Study_row& row : rows)
+    out << to_csv(row) << "\n";
+  if(!out.flush())
+    throw support::File_error(file.string() + ": cannot be written");
+}
+
+/// Share of the truth within a distance of the result, all models of a spec together, and the ratios of all specs.
+void write_plots(const Settings& settings, const std::vector<std::string>& specs,
+                 const std::vector<Study_row>& means, const std::string& reference)
+{
+  support::Plot ratios;
+  ratios.title = "Error by that of " + reference + ", geometric mean over the models";
+  ratios.y_label = "ratio, truth to mesh";
+  ratios.categories = specs;
+  for(const Method& method : settings.methods) {
+    if(method.name == reference)
+      continue;
+    support::Series series;
+    series.name = method.name;
+    for(const std::string& spec : specs) {
+      series.y.push_back(mean_ratio(means, spec, method.name, reference, "forward_mean"));
+    }
+    ratios.series.push_back(series);
+  }
+  if(!ratios.series.empty())
+    support::write_plot((settings.out / "ratios.svg").string(), ratios);
+
+  for(const std::string& spec : specs) {
+    support::Plot distribution;
+    distribution.title = "Distance of the truth from the result, " + spec;
+    distribution.x_label = "percent of the diagonal";
+    distribution.y_label = "share of the truth's surface";
+    for(const Method& method : settings.methods) {
+      std::vector<double> distances;
+      for(const Study_row& row : means) {
+        if(row.spec != spec || row.method != method.name || row.failed())
+          continue;
+        for(const std::string& column : study_columns()) {
+          if(column.rfind("forward_q", 0) == 0)
+            distances.push_back(row.value(column));
+        }
+      }
+      if(!distances.empty())
+        distribution.series.push_back(support::cumulative_distribution(method.name, distances));
+    }
+    distribution.log_x = true;
+    if(!distribution.series.empty()) {
+      support::write_plot((settings.out / ("distribution_" + spec + ".svg")).string(),
+                          distribution);
+    }
+  }
+}
+
+/// Truth, scan and the meshes of all methods, seen from between the scanned and the hidden side.
+void write_picture(const Settings& settings, const Case& c)
+{
+  const Vec3 into_the_scene = -Vec3(-0.4, 0.35, 1.0).normalized();
+  std::vector<support::Panel> panels(2);
+  panels[0].title = "truth: " + c.model.name;
+  panels[0].mesh = load_model(c.model, settings.data);
+  panels[1].title = "scan " + c.spec;
+  panels[1].cloud = support::read_point_cloud(scan_file(settings, c).string());
+  for(const Method& method : settings.methods) {
+    const std::string file = mesh_file(settings, c, method).string();
+    if(!fs::exists(file))
+      continue;
+    support::Panel panel;
+    panel.title = method.name;
+    panel.mesh = support::read_mesh(file);
+    panels.push_back(panel);
+  }
+  support::write_panels((settings.pictures / (c.name() + ".png")).string(), panels, into_the_scene);
 }
 
 void run(const Arguments& arguments)
 {
-  if (!arguments.files().empty()) throw Usage_error("unexpected '" + arguments.files()[0] + "'");
+  if(!arguments.files().empty())
+    throw Usage_error("unexpected '" + arguments.files()[0] + "'");
   const bool quick = arguments.has("--quick");
   Settings settings;
   settings.data = data_folder(arguments.text("--data"));
@@ -204,35 +290,46 @@ void run(const Arguments& arguments)
   const std::vector<Model> chosen = select_models(
       arguments.list("--models", quick ? std::vector<std::string>{"armadillo", "fandisk", "knot1"}
                                        : std::vector<std::string>{"tuning", "check"}));
-  const std::vector<std::string> specs =
-      arguments.list("--specs", quick ? std::vector<std::string>{"c1", "n2"}
-                                      : std::vector<std::string>{"c1", "c2", "c3", "n1", "n2", "n3", "h1", "h2", "h3"});
-  if (arguments.has("--methods")) {
-    for (const std::string& name : arguments.list("--methods")) settings.methods.push_back(method_called(name));
+  const std::vector<std::string> specs = arguments.list(
+      "--specs",
+      quick ? std::vector<std::string>{"c1", "n2"}
+            : std::vector<std::string>{"c1", "c2", "c3", "n1", "n2", "n3", "h1", "h2", "h3"});
+  if(arguments.has("--methods")) {
+    for(const std::string& name : arguments.list("--methods"))
+      settings.methods.push_back(method_called(name));
   } else {
     settings.methods = methods();
   }
   const std::size_t seeds = arguments.count("--seeds", 1);
   const std::size_t jobs = arguments.count("--jobs", 1);
-  if (seeds == 0 || jobs == 0) throw Usage_error("--seeds and --jobs are at least 1");
-  for (const std::string& spec : specs) scanner_options(spec, 1);
+  if(seeds == 0 || jobs == 0)
+    throw Usage_error("--seeds and --jobs are at least 1");
+  for(const std::string& spec : specs)
+    scanner_options(spec, 1);
   fs::create_directories(settings.out / "rows");
-  if (!settings.cache.empty()) fs::create_directories(settings.cache);
-  if (!settings.pictures.empty()) fs::create_directories(settings.pictures);
+  if(!settings.cache.empty())
+    fs::create_directories(settings.cache);
+  if(!settings.pictures.empty())
+    fs::create_directories(settings.pictures);
 
   std::vector<Case> cases;
-  for (const std::string& spec : specs) {
-    for (const Model& model : chosen) {
-      for (std::size_t seed = 1; seed <= seeds; ++seed) cases.push_back({model, spec, seed});
+  for(const std::string& spec : specs) {
+    for(const Model& model : chosen) {
+      for(std::size_t seed = 1; seed <= seeds; ++seed)
+        cases.push_back({model, spec, seed});
     }
   }
-  run_in_children(cases.size(), jobs, [&](std::size_t i) { run_case(settings, cases[i]); });
+  run_in_children(cases.size(), jobs, [&](std::size_t i) {
+    run_case(settings, cases[i]);
+    if(!settings.pictures.empty())
+      write_picture(settings, cases[i]);
+  });
 
   std::vector<Study_row> rows;
-  for (const Case& c : cases) {
-    for (const Method& method : settings.methods) {
+  for(const Case& c : cases) {
+    for(const Method& method : settings.methods) {
       Study_row row;
-      if (!read_row(row_file(settings, c, method), row)) {
+      if(!read_row(row_file(settings, c, method), row)) {
         row = {c.model.name, c.spec, method.name, c.seed, "not run", {}};
       }
       rows.push_back(row);
@@ -241,7 +338,9 @@ void run(const Arguments& arguments)
   const std::vector<Study_row> means = mean_over_seeds(rows);
   write_table(settings.out / "rows.csv", rows);
   write_table(settings.out / "cases.csv", means);
-  const std::string report = markdown_report(means, arguments.text("--reference", "direct"));
+  const std::string reference = arguments.text("--reference", "direct");
+  const std::string report = markdown_report(means, reference);
+  write_plots(settings, specs, means, reference);
   std::ofstream(settings.out / "report.md") << "# Accuracy study\n\n" << report;
   std::cout << report;
 }
@@ -251,22 +350,22 @@ void run(const Arguments& arguments)
 int main(int argc, char** argv)
 try {
   const Arguments arguments(argc, argv,
-                            {"--data", "--models", "--specs", "--methods", "--seeds", "--reference", "--jobs",
-                             "--cache", "--pictures", "--timeout", "--out"},
+                            {"--data", "--models", "--specs", "--methods", "--seeds", "--reference",
+                             "--jobs", "--cache", "--pictures", "--timeout", "--out"},
                             {"--quick"});
-  if (arguments.has("--help")) {
+  if(arguments.has("--help")) {
     std::cout << usage;
     return 0;
   }
   run(arguments);
   return 0;
-} catch (const Usage_error& error) {
+} catch(const Usage_error& error) {
   std::cerr << "accuracy_study: " << error.what() << " (see --help)\n";
   return 1;
-} catch (const support::File_error& error) {
+} catch(const support::File_error& error) {
   std::cerr << "accuracy_study: " << error.what() << "\n";
   return 2;
-} catch (const std::exception& error) {
+} catch(const std::exception& error) {
   std::cerr << "accuracy_study: " << error.what() << "\n";
   return 3;
 }

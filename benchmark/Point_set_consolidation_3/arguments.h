@@ -22,16 +22,18 @@ struct Usage_error : std::runtime_error {
 /// `program FILE... --name value --flag`, with the known names given up front.
 class Arguments {
 public:
-  Arguments(int argc, char** argv, const std::set<std::string>& with_value, const std::set<std::string>& flags)
+  Arguments(int argc, char** argv, const std::set<std::string>& with_value,
+            const std::set<std::string>& flags)
   {
-    for (int i = 1; i < argc; ++i) {
+    for(int i = 1; i < argc; ++i) {
       const std::string word = argv[i];
-      if (with_value.count(word)) {
-        if (i + 1 == argc) throw Usage_error(word + " needs a value");
+      if(with_value.count(word)) {
+        if(i + 1 == argc)
+          throw Usage_error(word + " needs a value");
         m_values[word] = argv[++i];
-      } else if (flags.count(word) || word == "--help") {
+      } else if(flags.count(word) || word == "--help") {
         m_flags.insert(word);
-      } else if (word.size() > 1 && word[0] == '-') {
+      } else if(word.size() > 1 && word[0] == '-') {
         throw Usage_error("unknown option " + word);
       } else {
         m_files.push_back(word);
@@ -51,31 +53,36 @@ public:
   double number(const std::string& name, double fallback) const
   {
     const auto found = m_values.find(name);
-    if (found == m_values.end()) return fallback;
+    if(found == m_values.end())
+      return fallback;
     char* end = nullptr;
     const double value = std::strtod(found->second.c_str(), &end);
-    if (found->second.empty() || *end != '\0') throw Usage_error(name + " needs a number, not '" + found->second + "'");
+    if(found->second.empty() || *end != '\0')
+      throw Usage_error(name + " needs a number, not '" + found->second + "'");
     return value;
   }
 
   std::size_t count(const std::string& name, std::size_t fallback) const
   {
     const double value = number(name, static_cast<double>(fallback));
-    if (value < 0 || value != static_cast<double>(static_cast<std::size_t>(value))) {
+    if(value < 0 || value != static_cast<double>(static_cast<std::size_t>(value))) {
       throw Usage_error(name + " needs a whole number");
     }
     return static_cast<std::size_t>(value);
   }
 
   /// comma separated words
-  std::vector<std::string> list(const std::string& name, const std::vector<std::string>& fallback = {}) const
+  std::vector<std::string> list(const std::string& name,
+                                const std::vector<std::string>& fallback = {}) const
   {
     const auto found = m_values.find(name);
-    if (found == m_values.end()) return fallback;
+    if(found == m_values.end())
+      return fallback;
     std::vector<std::string> words;
     std::istringstream stream(found->second);
-    for (std::string word; std::getline(stream, word, ',');) {
-      if (!word.empty()) words.push_back(word);
+    for(std::string word; std::getline(stream, word, ',');) {
+      if(!word.empty())
+        words.push_back(word);
     }
     return words;
   }

@@ -26,14 +26,17 @@ pid_t start(const std::function<void()>& task, unsigned int timeout_seconds)
 {
   std::cout.flush();
   const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("cannot start a process");
-  if (child > 0) return child;
+  if(child < 0)
+    throw std::runtime_error("cannot start a process");
+  if(child > 0)
+    return child;
   // SIGALRM ends the process
-  if (timeout_seconds > 0) alarm(timeout_seconds);
+  if(timeout_seconds > 0)
+    alarm(timeout_seconds);
   int status = EXIT_SUCCESS;
   try {
     task();
-  } catch (const std::exception& error) {
+  } catch(const std::exception& error) {
     std::cerr << error.what() << "\n";
     status = task_failed;
   }
@@ -43,8 +46,9 @@ pid_t start(const std::function<void()>& task, unsigned int timeout_seconds)
 
 std::string describe(int status)
 {
-  if (WIFEXITED(status)) {
-    if (WEXITSTATUS(status) == EXIT_SUCCESS) return "";
+  if(WIFEXITED(status)) {
+    if(WEXITSTATUS(status) == EXIT_SUCCESS)
+      return "";
     return WEXITSTATUS(status) == task_failed ? "failed" : "ended early";
   }
   const int signal = WTERMSIG(status);
@@ -58,17 +62,19 @@ std::string run_in_child(const std::function<void()>& task, unsigned int timeout
   return measure_in_child(task, timeout_seconds).error;
 }
 
-void run_in_children(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& task)
+void run_in_children(std::size_t count, std::size_t jobs,
+                     const std::function<void(std::size_t)>& task)
 {
   std::size_t running = 0;
-  for (std::size_t i = 0; i < count || running > 0;) {
-    if (i < count && running < jobs) {
+  for(std::size_t i = 0; i < count || running > 0;) {
+    if(i < count && running < jobs) {
       start([&] { task(i); }, 0);
       ++running;
       ++i;
     } else {
       int status = 0;
-      if (wait(&status) > 0) --running;
+      if(wait(&status) > 0)
+        --running;
     }
   }
 }
@@ -80,9 +86,13 @@ Resources measure_in_child(const std::function<void()>& task, unsigned int timeo
   const pid_t child = start(task, timeout_seconds);
   int status = 0;
   rusage usage = {};
-  if (wait4(child, &status, 0, &usage) < 0) throw std::runtime_error("cannot wait for a process");
-  resources.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  if(wait4(child, &status, 0, &usage) < 0)
+    throw std::runtime_error("cannot wait for a process");
+  resources.wall_seconds
+      = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   resources.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   resources.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024.0;
   resources.error = describe(status);

@@ -15,7 +15,8 @@ namespace benchmark {
 std::string run_in_child(const std::function<void()>& task, unsigned int timeout_seconds);
 
 /// Runs tasks 0 ... count-1, each in a child process, at most `jobs` at a time, in this order.
-void run_in_children(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& task);
+void run_in_children(std::size_t count, std::size_t jobs,
+                     const std::function<void(std::size_t)>& task);
 
 /// Time and memory of one task run in a child process of its own.
 struct Resources {

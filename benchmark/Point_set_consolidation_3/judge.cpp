@@ -45,13 +45,17 @@ constexpr double coverage_slack = 1.0;
 /// Distance of samples along a skeleton, in percent of the diagonal.
 constexpr double skeleton_step = 0.25;
 
-double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / EIGEN_PI; }
+double degrees(double cosine)
+{
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / EIGEN_PI;
+}
 
 Normal_statistics normal_statistics(const std::vector<double>& cosines)
 {
   Normal_statistics result;
-  if (cosines.empty()) return result;
-  for (double cosine : cosines) {
+  if(cosines.empty())
+    return result;
+  for(double cosine : cosines) {
     result.mean_error += degrees(std::abs(cosine));
     result.flipped += cosine < 0.0;
   }
@@ -60,7 +64,8 @@ Normal_statistics normal_statistics(const std::vector<double>& cosines)
   return result;
 }
 
-double fscore(const Distance_statistics& forward, const Distance_statistics& reverse, std::size_t limit)
+double fscore(const Distance_statistics& forward, const Distance_statistics& reverse,
+              std::size_t limit)
 {
   const double sum = forward.share_within[limit] + reverse.share_within[limit];
   return sum > 0.0 ? 2.0 * forward.share_within[limit] * reverse.share_within[limit] / sum : 0.0;
@@ -69,11 +74,15 @@ double fscore(const Distance_statistics& forward, const Distance_statistics& rev
 /// Sets of elements that are merged pairwise.
 class Union_find {
 public:
-  explicit Union_find(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0); }
+  explicit Union_find(std::size_t count) : m_parent(count)
+  {
+    std::iota(m_parent.begin(), m_parent.end(), 0);
+  }
 
   std::size_t root(std::size_t i)
   {
-    while (m_parent[i] != i) i = m_parent[i] = m_parent[m_parent[i]];
+    while(m_parent[i] != i)
+      i = m_parent[i] = m_parent[m_parent[i]];
     return i;
   }
   void merge(std::size_t i, std::size_t j) { m_parent[root(i)] = root(j); }
@@ -83,38 +92,42 @@ private:
 };
 
 struct Medial_balls {
-  std::vector<Vec3> points;    ///< surface samples
-  std::vector<double> radii;   ///< of the balls that touch there
-  std::vector<Vec3> centres;   ///< of the balls that touch two well separated points
+  std::vector<Vec3> points;   ///< surface samples
+  std::vector<double> radii;  ///< of the balls that touch there
+  std::vector<Vec3> centres;  ///< of the balls that touch two well separated points
 };
 
 /// The largest ball inside of the surface that touches it at each sample, found by shrinking.
-Medial_balls shrink_balls(const Mesh_tree& surface, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
-                          double diagonal)
+Medial_balls shrink_balls(const Mesh_tree& surface, const std::vector<Vec3>& points,
+                          const std::vector<Vec3>& normals, double diagonal)
 {
   Medial_balls balls;
   balls.points = points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for(std::size_t i = 0; i < points.size(); ++i) {
     // straight through the shape: the ball is at most half as wide as the shape there
     const Vec3 start = points[i] - ray_start * diagonal * normals[i];
     const std::optional<Mesh_hit> opposite = surface.first_hit({start, -normals[i]});
     double radius = opposite ? 0.5 * (opposite->point - points[i]).norm() : diagonal;
     bool separated = opposite.has_value();
-    for (int iteration = 0; iteration < shrinking_iterations; ++iteration) {
+    for(int iteration = 0; iteration < shrinking_iterations; ++iteration) {
       const Vec3 centre = points[i] - radius * normals[i];
       const Vec3 other = surface.closest(centre).point;
-      if ((other - centre).norm() >= radius * (1.0 - shrinking_tolerance)) break;
+      if((other - centre).norm() >= radius * (1.0 - shrinking_tolerance))
+        break;
       const Vec3 chord = points[i] - other;
       const double height = chord.dot(normals[i]);
-      if (height <= 0.0) break;
+      if(height <= 0.0)
+        break;
       const double smaller = chord.squaredNorm() / (2.0 * height);
       const Vec3 smaller_centre = points[i] - smaller * normals[i];
-      if (degrees(normals[i].dot((other - smaller_centre).normalized())) < separation_angle) break;
+      if(degrees(normals[i].dot((other - smaller_centre).normalized())) < separation_angle)
+        break;
       radius = smaller;
       separated = true;
     }
     balls.radii.push_back(radius);
-    if (separated) balls.centres.push_back(points[i] - radius * normals[i]);
+    if(separated)
+      balls.centres.push_back(points[i] - radius * normals[i]);
   }
   return balls;
 }
@@ -125,23 +138,24 @@ Distance_statistics distance_statistics(std::vector<double> distances)
 {
   Distance_statistics result;
   result.samples = distances.size();
-  if (distances.empty()) return result;
+  if(distances.empty())
+    return result;
   std::sort(distances.begin(), distances.end());
   const auto count = static_cast<double>(distances.size());
   double square_sum = 0.0;
-  for (double d : distances) {
+  for(double d : distances) {
     result.mean += d;
     square_sum += d * d;
   }
   result.mean /= count;
   result.rms = std::sqrt(square_sum / count);
-  for (std::size_t i = 0; i < result.quantiles.size(); ++i) {
+  for(std::size_t i = 0; i < result.quantiles.size(); ++i) {
     const double share = static_cast<double>(i + 1) / static_cast<double>(result.quantiles.size());
     result.quantiles[i] = distances[static_cast<std::size_t>(share * (count - 1.0))];
   }
   result.percentile_95 = distances[static_cast<std::size_t>(0.95 * (count - 1.0))];
   result.max = distances.back();
-  for (std::size_t i = 0; i < distribution_limits.size(); ++i) {
+  for(std::size_t i = 0; i < distribution_limits.size(); ++i) {
     const auto end = std::upper_bound(distances.begin(), distances.end(), distribution_limits[i]);
     result.share_within[i] = static_cast<double>(end - distances.begin()) / count;
   }
@@ -155,28 +169,31 @@ Topology topology_of(const Triangle_mesh& mesh)
   std::map<std::pair<std::size_t, std::size_t>, std::array<int, 2>> edges;
   Union_find components(mesh.vertices.size());
   std::vector<bool> used(mesh.vertices.size(), false);
-  for (const auto& face : mesh.faces) {
-    for (std::size_t k = 0; k < 3; ++k) {
+  for(const auto& face : mesh.faces) {
+    for(std::size_t k = 0; k < 3; ++k) {
       const std::size_t a = face[k];
       const std::size_t b = face[(k + 1) % 3];
       ++edges[{std::min(a, b), std::max(a, b)}][a < b ? 0 : 1];
       components.merge(a, b);
       used[a] = true;
     }
-    result.volume +=
-        mesh.vertices[face[0]].dot(mesh.vertices[face[1]].cross(mesh.vertices[face[2]])) / 6.0;
+    result.volume
+        += mesh.vertices[face[0]].dot(mesh.vertices[face[1]].cross(mesh.vertices[face[2]])) / 6.0;
   }
-  result.closed = !mesh.faces.empty() && std::all_of(edges.begin(), edges.end(), [](const auto& edge) {
-    return edge.second[0] == 1 && edge.second[1] == 1;
-  });
+  result.closed
+      = !mesh.faces.empty() && std::all_of(edges.begin(), edges.end(), [](const auto& edge) {
+          return edge.second[0] == 1 && edge.second[1] == 1;
+        });
   std::size_t vertices = 0;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (!used[v]) continue;
+  for(std::size_t v = 0; v < used.size(); ++v) {
+    if(!used[v])
+      continue;
     ++vertices;
-    if (components.root(v) == v) ++result.components;
+    if(components.root(v) == v)
+      ++result.components;
   }
-  const double euler = static_cast<double>(vertices) - static_cast<double>(edges.size()) +
-                       static_cast<double>(mesh.faces.size());
+  const double euler = static_cast<double>(vertices) - static_cast<double>(edges.size())
+                       + static_cast<double>(mesh.faces.size());
   result.genus = static_cast<double>(result.components) - 0.5 * euler;
   return result;
 }
@@ -186,23 +203,27 @@ Surface_samples sample_surface(const Triangle_mesh& mesh, std::size_t count, std
   Surface_samples samples;
   std::vector<double> area_up_to;
   double area = 0.0;
-  for (const auto& face : mesh.faces) {
+  for(const auto& face : mesh.faces) {
     const Vec3& a = mesh.vertices[face[0]];
     area += 0.5 * (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a).norm();
     area_up_to.push_back(area);
   }
-  if (!(area > 0.0)) return samples;
+  if(!(area > 0.0))
+    return samples;
   Random_numbers random(seed);
   std::size_t face = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for(std::size_t i = 0; i < count; ++i) {
     // one sample in each of `count` equal slices of the area
-    const double position = (static_cast<double>(i) + random.uniform()) / static_cast<double>(count) * area;
-    while (face + 1 < area_up_to.size() && area_up_to[face] <= position) ++face;
+    const double position
+        = (static_cast<double>(i) + random.uniform()) / static_cast<double>(count) * area;
+    while(face + 1 < area_up_to.size() && area_up_to[face] <= position)
+      ++face;
     const double root = std::sqrt(random.uniform());
     const double v = random.uniform();
     const auto& corners = mesh.faces[face];
-    samples.points.push_back((1.0 - root) * mesh.vertices[corners[0]] + root * (1.0 - v) * mesh.vertices[corners[1]] +
-                             root * v * mesh.vertices[corners[2]]);
+    samples.points.push_back((1.0 - root) * mesh.vertices[corners[0]]
+                             + root * (1.0 - v) * mesh.vertices[corners[1]]
+                             + root * v * mesh.vertices[corners[2]]);
     samples.faces.push_back(face);
   }
   return samples;
@@ -219,14 +240,16 @@ struct Judge::Truth {
   std::vector<bool> seen;     ///< empty without a scan
 
   Truth(const Triangle_mesh& truth, const Judge_options& opts)
-      : mesh(truth), options(opts), tree(truth), topology(topology_of(truth))
+    : mesh(truth), options(opts), tree(truth), topology(topology_of(truth))
   {
     Eigen::AlignedBox3d box;
-    for (const Vec3& p : mesh.vertices) box.extend(p);
+    for(const Vec3& p : mesh.vertices)
+      box.extend(p);
     diagonal = box.diagonal().norm();
     const Surface_samples samples = sample_surface(mesh, options.samples, options.seed);
     points = samples.points;
-    for (std::size_t face : samples.faces) normals.push_back(face_normal(mesh, face));
+    for(std::size_t face : samples.faces)
+      normals.push_back(face_normal(mesh, face));
   }
 
   double percent(double length) const { return 100.0 * length / diagonal; }
@@ -234,10 +257,10 @@ struct Judge::Truth {
   /// Made when the first skeleton is judged.
   const Medial_balls& medial_balls()
   {
-    if (!m_balls) {
+    if(!m_balls) {
       const std::size_t stride = std::max<std::size_t>(1, points.size() / medial_samples);
       std::vector<Vec3> some_points, some_normals;
-      for (std::size_t i = 0; i < points.size(); i += stride) {
+      for(std::size_t i = 0; i < points.size(); i += stride) {
         some_points.push_back(points[i]);
         some_normals.push_back(normals[i]);
       }
@@ -248,14 +271,16 @@ struct Judge::Truth {
 
   void mark_seen(const Point_cloud& scan)
   {
-    if (scan.points.empty()) return;
+    if(scan.points.empty())
+      return;
     const double reach = options.seen_spacings * average_spacing(scan.points);
     const Point_tree scan_tree(scan.points);
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for(std::size_t i = 0; i < points.size(); ++i) {
       const std::vector<Neighbour> found = scan_tree.nearest(points[i], seen_candidates);
       seen.push_back(std::any_of(found.begin(), found.end(), [&](const Neighbour& sample) {
-        return sample.distance <= reach &&
-               (scan.normals.empty() || scan.normals[sample.index].dot(normals[i]) >= options.seen_cosine);
+        return sample.distance <= reach
+               && (scan.normals.empty()
+                   || scan.normals[sample.index].dot(normals[i]) >= options.seen_cosine);
       }));
     }
   }
@@ -263,16 +288,17 @@ struct Judge::Truth {
   double seen_share() const
   {
     return seen.empty() ? 0.0
-                        : static_cast<double>(std::count(seen.begin(), seen.end(), true)) /
-                              static_cast<double>(seen.size());
+                        : static_cast<double>(std::count(seen.begin(), seen.end(), true))
+                              / static_cast<double>(seen.size());
   }
 
   /// The statistics of the samples that were seen, or of those that were not.
   Distance_statistics part(const std::vector<double>& distances, bool of_seen) const
   {
     std::vector<double> chosen;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (seen[i] == of_seen) chosen.push_back(distances[i]);
+    for(std::size_t i = 0; i < seen.size(); ++i) {
+      if(seen[i] == of_seen)
+        chosen.push_back(distances[i]);
     }
     return distance_statistics(std::move(chosen));
   }
@@ -282,7 +308,7 @@ private:
 };
 
 Judge::Judge(const Triangle_mesh& truth, const Point_cloud& scan, const Judge_options& options)
-    : m_truth(std::make_unique<Truth>(truth, options))
+  : m_truth(std::make_unique<Truth>(truth, options))
 {
   m_truth->mark_seen(scan);
 }
@@ -297,13 +323,14 @@ Mesh_verdict Judge::mesh(const Triangle_mesh& result) const
   Mesh_verdict verdict;
 
   std::vector<double> forward, cosines;
-  for (std::size_t i = 0; i < truth.points.size(); ++i) {
+  for(std::size_t i = 0; i < truth.points.size(); ++i) {
     const Mesh_hit nearest = tree.closest(truth.points[i]);
     forward.push_back(truth.percent((nearest.point - truth.points[i]).norm()));
     cosines.push_back(nearest.normal.dot(truth.normals[i]));
   }
   std::vector<double> reverse;
-  for (const Vec3& p : sample_surface(result, truth.options.samples, truth.options.seed + 1).points) {
+  for(const Vec3& p :
+      sample_surface(result, truth.options.samples, truth.options.seed + 1).points) {
     reverse.push_back(truth.percent((truth.tree.closest(p).point - p).norm()));
   }
   verdict.seen = truth.part(forward, true);
@@ -324,29 +351,32 @@ Point_set_verdict Judge::points(const Point_cloud& result) const
 {
   const Truth& truth = *m_truth;
   Point_set_verdict verdict;
-  if (result.points.empty()) throw support::Method_error("judge: empty point set");
+  if(result.points.empty())
+    throw support::Method_error("judge: empty point set");
 
   std::vector<double> distances, cosines;
-  for (std::size_t i = 0; i < result.points.size(); ++i) {
+  for(std::size_t i = 0; i < result.points.size(); ++i) {
     const Mesh_hit nearest = truth.tree.closest(result.points[i]);
     distances.push_back(truth.percent((nearest.point - result.points[i]).norm()));
-    if (!result.normals.empty()) cosines.push_back(nearest.normal.dot(result.normals[i].normalized()));
+    if(!result.normals.empty())
+      cosines.push_back(nearest.normal.dot(result.normals[i].normalized()));
   }
   verdict.distance = distance_statistics(std::move(distances));
   verdict.normals = normal_statistics(cosines);
 
   const Point_tree tree(result.points);
   std::vector<double> coverage;
-  for (const Vec3& p : truth.points) coverage.push_back(truth.percent(tree.nearest(p).distance));
+  for(const Vec3& p : truth.points)
+    coverage.push_back(truth.percent(tree.nearest(p).distance));
   verdict.seen = truth.part(coverage, true);
   verdict.unseen = truth.part(coverage, false);
   verdict.seen_share = truth.seen_share();
   verdict.coverage = distance_statistics(std::move(coverage));
 
-  if (result.points.size() > 1) {
+  if(result.points.size() > 1) {
     double sum = 0.0;
     double square_sum = 0.0;
-    for (const Vec3& p : result.points) {
+    for(const Vec3& p : result.points) {
       const double spacing = truth.percent(tree.nearest(p, 2)[1].distance);
       sum += spacing;
       square_sum += spacing * spacing;
@@ -363,41 +393,47 @@ Skeleton_verdict Judge::skeleton(const Segment_graph& result) const
 {
   const Truth& truth = *m_truth;
   Skeleton_verdict verdict;
-  if (result.vertices.empty()) throw support::Method_error("judge: empty skeleton");
+  if(result.vertices.empty())
+    throw support::Method_error("judge: empty skeleton");
 
   // components and cycles of the graph
   Union_find components(result.vertices.size());
-  for (const auto& edge : result.edges) components.merge(edge[0], edge[1]);
-  for (std::size_t v = 0; v < result.vertices.size(); ++v) verdict.components += components.root(v) == v;
+  for(const auto& edge : result.edges)
+    components.merge(edge[0], edge[1]);
+  for(std::size_t v = 0; v < result.vertices.size(); ++v)
+    verdict.components += components.root(v) == v;
   verdict.cycles = result.edges.size() + verdict.components - result.vertices.size();
 
   // samples every `skeleton_step` along the edges; a graph without edges is judged by its vertices
   std::vector<Vec3> samples;
-  for (const auto& edge : result.edges) {
+  for(const auto& edge : result.edges) {
     const Vec3& a = result.vertices[edge[0]];
     const Vec3& b = result.vertices[edge[1]];
     const double length = truth.percent((b - a).norm());
     verdict.length += length;
     const int steps = std::max(1, static_cast<int>(std::ceil(length / skeleton_step)));
-    for (int k = 0; k < steps; ++k) samples.push_back(a + (b - a) * (k + 0.5) / steps);
+    for(int k = 0; k < steps; ++k)
+      samples.push_back(a + (b - a) * (k + 0.5) / steps);
   }
-  if (samples.empty()) samples = result.vertices;
+  if(samples.empty())
+    samples = result.vertices;
 
   const Medial_balls& balls = m_truth->medial_balls();
   std::vector<double> distances;
   std::size_t inside = 0;
-  const std::optional<Point_tree> centres =
-      balls.centres.empty() ? std::nullopt : std::optional<Point_tree>(Point_tree(balls.centres));
-  for (const Vec3& p : samples) {
+  const std::optional<Point_tree> centres
+      = balls.centres.empty() ? std::nullopt : std::optional<Point_tree>(Point_tree(balls.centres));
+  for(const Vec3& p : samples) {
     inside += truth.tree.is_inside(p);
-    if (centres) distances.push_back(truth.percent(centres->nearest(p).distance));
+    if(centres)
+      distances.push_back(truth.percent(centres->nearest(p).distance));
   }
   verdict.inside = static_cast<double>(inside) / static_cast<double>(samples.size());
   verdict.to_medial_axis = distance_statistics(std::move(distances));
 
   const Point_tree skeleton_tree(samples);
   std::size_t covered = 0;
-  for (std::size_t i = 0; i < balls.points.size(); ++i) {
+  for(std::size_t i = 0; i < balls.points.size(); ++i) {
     const double reach = coverage_radii * balls.radii[i] + coverage_slack / 100.0 * truth.diagonal;
     covered += skeleton_tree.nearest(balls.points[i]).distance <= reach;
   }
@@ -414,24 +450,27 @@ public:
   {
     std::ostringstream text;
     text.precision(6);
-    if (std::isfinite(value)) {
+    if(std::isfinite(value)) {
       text << value;
     } else {
       text << "null";
     }
     return raw(name, text.str());
   }
-  Json_object& add(const std::string& name, bool value) { return raw(name, value ? "true" : "false"); }
+  Json_object& add(const std::string& name, bool value)
+  {
+    return raw(name, value ? "true" : "false");
+  }
   Json_object& add(const std::string& name, const Distance_statistics& statistics)
   {
     Json_object object;
     object.add("samples", static_cast<double>(statistics.samples));
-    if (statistics.samples > 0) {
+    if(statistics.samples > 0) {
       object.add("mean", statistics.mean)
           .add("rms", statistics.rms)
           .add("percentile_95", statistics.percentile_95)
           .add("max", statistics.max);
-      for (std::size_t i = 0; i < distribution_limits.size(); ++i) {
+      for(std::size_t i = 0; i < distribution_limits.size(); ++i) {
         std::ostringstream limit;
         limit << "share_within_" << distribution_limits[i];
         object.add(limit.str(), statistics.share_within[i]);
@@ -441,7 +480,10 @@ public:
   }
   Json_object& add(const std::string& name, const Normal_statistics& statistics)
   {
-    return raw(name, Json_object().add("mean_error", statistics.mean_error).add("flipped", statistics.flipped).text());
+    return raw(name, Json_object()
+                         .add("mean_error", statistics.mean_error)
+                         .add("flipped", statistics.flipped)
+                         .text());
   }
   Json_object& add(const std::string& name, const Topology& topology)
   {

@@ -38,8 +38,9 @@ Distance_statistics distance_statistics(std::vector<double> distances);
 struct Judge_options {
   std::size_t samples = 40000;  ///< of the truth, and of the result
   std::uint64_t seed = 1;
-  double seen_spacings = 2.0;  ///< seen: a noise-free scan sample at most so many scan spacings away ...
-  double seen_cosine = 0.5;    ///< ... whose normal agrees
+  double seen_spacings
+      = 2.0;  ///< seen: a noise-free scan sample at most so many scan spacings away ...
+  double seen_cosine = 0.5;  ///< ... whose normal agrees
 };
 
 struct Normal_statistics {
@@ -50,47 +51,51 @@ struct Normal_statistics {
 /// Combinatorial facts about a mesh.
 struct Topology {
   std::size_t components = 0;
-  bool closed = false;     ///< every edge has two facets of opposite orientation
-  double genus = 0.0;      ///< sum over the components; from the Euler number, also if not closed
-  double volume = 0.0;     ///< signed, meaningful if closed
+  bool closed = false;  ///< every edge has two facets of opposite orientation
+  double genus = 0.0;   ///< sum over the components; from the Euler number, also if not closed
+  double volume = 0.0;  ///< signed, meaningful if closed
 };
 
 struct Mesh_verdict {
-  Distance_statistics forward;          ///< truth to result
-  Distance_statistics reverse;          ///< result to truth
-  Distance_statistics seen, unseen;     ///< forward, split by what the scan saw; empty without a scan
-  double seen_share = 0.0;              ///< of the truth's area
-  double fscore_half = 0.0;             ///< at 0.5 percent
-  double fscore_one = 0.0;              ///< at 1 percent
-  Normal_statistics normals;            ///< at the truth's samples, against the nearest facet of the result
+  Distance_statistics forward;       ///< truth to result
+  Distance_statistics reverse;       ///< result to truth
+  Distance_statistics seen, unseen;  ///< forward, split by what the scan saw; empty without a scan
+  double seen_share = 0.0;           ///< of the truth's area
+  double fscore_half = 0.0;          ///< at 0.5 percent
+  double fscore_one = 0.0;           ///< at 1 percent
+  Normal_statistics normals;  ///< at the truth's samples, against the nearest facet of the result
   Topology topology, true_topology;
-  double volume_ratio = 0.0;            ///< result to truth
+  double volume_ratio = 0.0;  ///< result to truth
 };
 
 struct Point_set_verdict {
-  Distance_statistics distance;        ///< points to truth
-  Distance_statistics coverage;        ///< truth to the nearest point
-  Distance_statistics seen, unseen;    ///< coverage, split by what the scan saw
+  Distance_statistics distance;      ///< points to truth
+  Distance_statistics coverage;      ///< truth to the nearest point
+  Distance_statistics seen, unseen;  ///< coverage, split by what the scan saw
   double seen_share = 0.0;
-  double spacing = 0.0;                ///< mean distance to the nearest other point, percent
-  double spacing_variation = 0.0;      ///< its standard deviation by its mean: 0.52 for random points, 0 for a lattice
-  Normal_statistics normals;           ///< against the nearest facet of the truth
+  double spacing = 0.0;  ///< mean distance to the nearest other point, percent
+  double spacing_variation
+      = 0.0;  ///< its standard deviation by its mean: 0.52 for random points, 0 for a lattice
+  Normal_statistics normals;  ///< against the nearest facet of the truth
 };
 
 struct Skeleton_verdict {
-  double inside = 0.0;                 ///< share of its length inside of the truth
-  Distance_statistics to_medial_axis;  ///< samples of the skeleton to the nearest medial ball centre
-  double coverage = 0.0;               ///< share of the surface whose medial ball the skeleton reaches, see `judge.cpp`
+  double inside = 0.0;  ///< share of its length inside of the truth
+  Distance_statistics
+      to_medial_axis;  ///< samples of the skeleton to the nearest medial ball centre
+  double coverage
+      = 0.0;  ///< share of the surface whose medial ball the skeleton reaches, see `judge.cpp`
   std::size_t components = 0;
   std::size_t cycles = 0;
-  double length = 0.0;                 ///< percent
+  double length = 0.0;  ///< percent
 };
 
 /// Compares results with one ground truth mesh, which must be closed and oriented outwards.
 class Judge {
 public:
   /// `scan`: noise-free samples with normals; they tell the seen part of the truth from the unseen.
-  explicit Judge(const Triangle_mesh& truth, const Point_cloud& scan = {}, const Judge_options& options = {});
+  explicit Judge(const Triangle_mesh& truth, const Point_cloud& scan = {},
+                 const Judge_options& options = {});
   ~Judge();
   Judge(Judge&&) noexcept;
 

@@ -28,8 +28,14 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 using Traits = CGAL::AABB_traits<Kernel, Primitive>;
 #endif
 
-Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-Vec3 to_eigen(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+Point_3 to_cgal(const Vec3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+Vec3 to_eigen(const Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
 
 }  // namespace
 
@@ -48,16 +54,19 @@ struct Mesh_tree::Tree {
 
 Mesh_tree::Mesh_tree(const Triangle_mesh& mesh) : m_tree(std::make_unique<Tree>())
 {
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const Vec3 normal = face_normal(mesh, f);
-    if (normal.isZero()) continue;
+    if(normal.isZero())
+      continue;
     const auto& corners = mesh.faces[f];
-    m_tree->triangles.emplace_back(to_cgal(mesh.vertices[corners[0]]), to_cgal(mesh.vertices[corners[1]]),
+    m_tree->triangles.emplace_back(to_cgal(mesh.vertices[corners[0]]),
+                                   to_cgal(mesh.vertices[corners[1]]),
                                    to_cgal(mesh.vertices[corners[2]]));
     m_tree->normals.push_back(normal);
     m_tree->faces.push_back(f);
   }
-  if (m_tree->triangles.empty()) throw support::Method_error("mesh without a facet that has area");
+  if(m_tree->triangles.empty())
+    throw support::Method_error("mesh without a facet that has area");
   const Triangles& triangles = m_tree->triangles;
   m_tree->tree.insert(triangles.begin(), triangles.end());
   m_tree->tree.build();
@@ -69,14 +78,18 @@ Mesh_tree::Mesh_tree(Mesh_tree&&) noexcept = default;
 
 std::optional<Mesh_hit> Mesh_tree::first_hit(const Ray& ray) const
 {
-  const Kernel::Ray_3 query(to_cgal(ray.origin), Kernel::Vector_3(ray.direction.x(), ray.direction.y(), ray.direction.z()));
+  const Kernel::Ray_3 query(
+      to_cgal(ray.origin),
+      Kernel::Vector_3(ray.direction.x(), ray.direction.y(), ray.direction.z()));
   const auto primitive = m_tree->tree.first_intersected_primitive(query);
-  if (!primitive) return std::nullopt;
+  if(!primitive)
+    return std::nullopt;
   // the ray meets the facet's plane; computed here so that no variant of CGAL's intersections is needed
   Mesh_hit hit = m_tree->hit(ray.origin, *primitive);
   const double slope = hit.normal.dot(ray.direction);
   const Vec3 corner = to_eigen((*primitive)->vertex(0));
-  if (slope != 0.0) hit.point += hit.normal.dot(corner - ray.origin) / slope * ray.direction;
+  if(slope != 0.0)
+    hit.point += hit.normal.dot(corner - ray.origin) / slope * ray.direction;
   return hit;
 }
 
@@ -88,9 +101,10 @@ Mesh_hit Mesh_tree::closest(const Vec3& query) const
 
 bool Mesh_tree::is_inside(const Vec3& query) const
 {
-  const Kernel::Vector_3 directions[] = {{0.5377, 0.8339, -0.1247}, {-0.2588, 0.3622, 0.8954}, {0.3188, -0.8077, 0.4959}};
+  const Kernel::Vector_3 directions[]
+      = {{0.5377, 0.8339, -0.1247}, {-0.2588, 0.3622, 0.8954}, {0.3188, -0.8077, 0.4959}};
   int inside = 0;
-  for (const Kernel::Vector_3& direction : directions) {
+  for(const Kernel::Vector_3& direction : directions) {
     const Kernel::Ray_3 ray(to_cgal(query), direction);
     inside += static_cast<int>(m_tree->tree.number_of_intersected_primitives(ray) % 2);
   }

@@ -4,13 +4,14 @@
 #include "methods.h"
 
 #include "arguments.h"
+#include "consolidation.h"
 #include "point_tree.h"
 #include "poisson_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
-#include <CGAL/jet_estimate_normals.h>
 #include <CGAL/iterative_consolidate_point_set.h>
+#include <CGAL/jet_estimate_normals.h>
 #include <CGAL/jet_smooth_point_set.h>
 #include <CGAL/property_map.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
@@ -50,44 +51,60 @@ constexpr double poisson_distance = 0.2;
 /// Raw points whose mean direction orients the normal of a new point.
 constexpr std::size_t orienting_neighbours = 6;
 
-Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-Vec3 to_eigen(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
-Vec3 to_eigen(const Vector_3& v) { return {v.x(), v.y(), v.z()}; }
+Point_3 to_cgal(const Vec3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+Vec3 to_eigen(const Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+Vec3 to_eigen(const Vector_3& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
 
 /// Jet normals, turned towards the scanner.
 Method_result with_normals(const std::vector<Vec3>& points, const std::vector<Vec3>& directions)
 {
   std::vector<Point_with_normal> pairs;
-  for (const Vec3& p : points) pairs.emplace_back(to_cgal(p), CGAL::NULL_VECTOR);
+  for(const Vec3& p : points)
+    pairs.emplace_back(to_cgal(p), CGAL::NULL_VECTOR);
   CGAL::jet_estimate_normals<CGAL::Sequential_tag>(
       pairs, normal_neighbours,
       CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
           .normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>()));
   Method_result result;
   result.points = points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for(std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 normal = to_eigen(pairs[i].second);
     result.normals.push_back(normal.dot(directions[i]) < 0.0 ? Vec3(-normal) : normal);
   }
   return result;
 }
 
-Method_result direct(const Point_cloud& scan) { return with_normals(scan.points, scan.directions); }
+Method_result direct(const Point_cloud& scan)
+{
+  return with_normals(scan.points, scan.directions);
+}
 
 Method_result smoothed(const Point_cloud& scan)
 {
   std::vector<Point_3> points;
-  for (const Vec3& p : scan.points) points.push_back(to_cgal(p));
+  for(const Vec3& p : scan.points)
+    points.push_back(to_cgal(p));
   CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, smoothing_neighbours);
   std::vector<Vec3> smooth;
-  for (const Point_3& p : points) smooth.push_back(to_eigen(p));
+  for(const Point_3& p : points)
+    smooth.push_back(to_eigen(p));
   return with_normals(smooth, scan.directions);
 }
 
 Method_result wlop(const Point_cloud& scan)
 {
   std::vector<Point_3> points;
-  for (const Vec3& p : scan.points) points.push_back(to_cgal(p));
+  for(const Vec3& p : scan.points)
+    points.push_back(to_cgal(p));
   const double share = std::min(1.0, wlop_points / static_cast<double>(points.size()));
   const double radius = wlop_radius * average_spacing(scan.points) / std::sqrt(share);
   CGAL::get_default_random() = CGAL::Random(0);  // the particles are picked by it
@@ -98,10 +115,10 @@ Method_result wlop(const Point_cloud& scan)
 
   const Point_tree tree(scan.points);
   std::vector<Vec3> positions, directions;
-  for (const Point_3& particle : particles) {
+  for(const Point_3& particle : particles) {
     positions.push_back(to_eigen(particle));
     Vec3 direction = Vec3::Zero();
-    for (const Neighbour& raw : tree.nearest(positions.back(), orienting_neighbours)) {
+    for(const Neighbour& raw : tree.nearest(positions.back(), orienting_neighbours)) {
       direction += scan.directions[raw.index];
     }
     directions.push_back(direction);
@@ -115,7 +132,7 @@ Method_result iterative(const Point_cloud& scan)
   std::vector<Point_3> points;
   std::vector<Vector_3> directions;
   std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
+  for(std::size_t i = 0; i < scan.size(); ++i) {
     const Vec3& d = scan.directions[i];
     points.push_back(to_cgal(scan.points[i]));
     directions.emplace_back(d.x(), d.y(), d.z());
@@ -129,11 +146,37 @@ Method_result iterative(const Point_cloud& scan)
           .view_direction_map(CGAL::make_property_map(directions))
           .view_index_map(CGAL::make_property_map(scan.views)));
   Method_result oriented;
-  for (const Point_with_normal& p : result) {
+  for(const Point_with_normal& p : result) {
     oriented.points.push_back(to_eigen(p.first));
     oriented.normals.push_back(to_eigen(p.second));
   }
   return oriented;
+}
+
+/// The paper's consolidation, its points alone.
+Method_result deep_points(const Point_cloud& scan)
+{
+  support::Consolidation_options options;
+  options.wants_completed = false;
+  const Point_cloud result = support::consolidate(scan, options, {}).consolidated;
+  return {result.points, result.normals, {}};
+}
+
+/// Completion: the scan's points and the missing ones, all options at their defaults.
+Method_result completion(const Point_cloud& scan)
+{
+  support::Consolidation_options options;
+  options.wants_points = false;
+  const Point_cloud result = support::consolidate(scan, options, {}).completed;
+  return {result.points, result.normals, {}};
+}
+
+/// The same without directions towards the scanner.
+Method_result blind_completion(const Point_cloud& scan)
+{
+  Point_cloud points;
+  points.points = scan.points;
+  return completion(points);
 }
 
 }  // namespace
@@ -144,6 +187,9 @@ const std::vector<Method>& methods()
       {"direct", "the scan's points, CGAL's jet normals turned towards the scanner", direct, true},
       {"smoothed", "CGAL's jet smoothing of the scan's points, then as direct", smoothed, true},
       {"wlop", "CGAL's WLOP to 4000 points, then as direct", wlop, true},
+      {"deep-points", "deep points consolidation, the consolidated points alone", deep_points, false},
+      {"completion", "completed input of the deep points, with directions and views", completion, false},
+      {"blind-completion", "the same without directions", blind_completion, false},
       {"iterative", "iterative consolidation, with directions and views", iterative, false},
   };
   return list;
@@ -151,15 +197,17 @@ const std::vector<Method>& methods()
 
 const Method& method_called(const std::string& name)
 {
-  for (const Method& method : methods()) {
-    if (method.name == name) return method;
+  for(const Method& method : methods()) {
+    if(method.name == name)
+      return method;
   }
   throw Usage_error("unknown method '" + name + "'");
 }
 
 Triangle_mesh reconstruct(const Method_result& result)
 {
-  if (result.mesh) return *result.mesh;
+  if(result.mesh)
+    return *result.mesh;
   support::Poisson_options options;
   options.spacing = poisson_spacing;
   options.distance = poisson_distance;

@@ -21,7 +21,8 @@ using support::Vec3;
 struct Method_result {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
-  std::optional<Triangle_mesh> mesh;  ///< if given, it is judged instead of the Poisson mesh of the points
+  std::optional<Triangle_mesh>
+      mesh;  ///< if given, it is judged instead of the Poisson mesh of the points
 };
 
 struct Method {

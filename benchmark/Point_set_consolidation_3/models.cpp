@@ -20,7 +20,8 @@ const std::vector<Model>& models()
   // nor for distances.
   static const std::vector<Model> list = {
       {"armadillo", "tuning", "free form with limbs and fine detail, the papers' standard model"},
-      {"refined_elephant", "tuning", "free form, thick body with thin ears, genus 3 (legs and trunk touch)"},
+      {"refined_elephant", "tuning",
+       "free form, thick body with thin ears, genus 3 (legs and trunk touch)"},
       {"fandisk", "tuning", "CAD part: flat faces, sharp edges"},
       {"knot1", "tuning", "tube of constant radius, genus 1"},
       {"man", "check", "standing figure, limbs close to the body"},
@@ -45,25 +46,31 @@ const std::vector<Model>& models()
 std::vector<Model> select_models(const std::vector<std::string>& words)
 {
   std::vector<Model> selected;
-  for (const std::string& word : words) {
+  for(const std::string& word : words) {
     bool known = false;
-    for (const Model& model : models()) {
-      if (word != "all" && word != model.group && word != model.name) continue;
+    for(const Model& model : models()) {
+      if(word != "all" && word != model.group && word != model.name)
+        continue;
       known = true;
-      const bool already = std::any_of(selected.begin(), selected.end(),
-                                       [&](const Model& other) { return other.name == model.name; });
-      if (!already) selected.push_back(model);
+      const bool already = std::any_of(selected.begin(), selected.end(), [&](const Model& other) {
+        return other.name == model.name;
+      });
+      if(!already)
+        selected.push_back(model);
     }
-    if (!known) throw Usage_error("unknown model '" + word + "'");
+    if(!known)
+      throw Usage_error("unknown model '" + word + "'");
   }
   return selected;
 }
 
 std::string data_folder(const std::string& given)
 {
-  if (!given.empty()) return given;
+  if(!given.empty())
+    return given;
   const char* environment = std::getenv("CGAL_DATA_DIR");
-  if (environment == nullptr) throw Usage_error("where CGAL's data are: --data DIR or environment variable CGAL_DATA_DIR");
+  if(environment == nullptr)
+    throw Usage_error("where CGAL's data are: --data DIR or environment variable CGAL_DATA_DIR");
   return environment;
 }
 
@@ -72,8 +79,9 @@ support::Triangle_mesh load_model(const Model& model, const std::string& data)
   const std::string file = data + "/meshes/" + model.name + ".off";
   support::Triangle_mesh mesh = normalized(support::read_mesh(file));
   const Topology topology = topology_of(mesh);
-  if (!topology.closed || topology.components != 1 || topology.volume <= 0.0) {
-    throw support::File_error(file + ": not a closed mesh of one component that is oriented outwards");
+  if(!topology.closed || topology.components != 1 || topology.volume <= 0.0) {
+    throw support::File_error(file
+                              + ": not a closed mesh of one component that is oriented outwards");
   }
   return mesh;
 }

@@ -13,8 +13,8 @@ namespace benchmark {
 
 /// A ground truth mesh of CGAL's data set `meshes/`: closed, one component, outwards oriented.
 struct Model {
-  std::string name;    ///< file name without ".off"
-  std::string group;   ///< tuning: looked at while choosing parameters; check: not; extra: on demand
+  std::string name;   ///< file name without ".off"
+  std::string group;  ///< tuning: looked at while choosing parameters; check: not; extra: on demand
   std::string reason;  ///< what it adds to the list
 };
 

@@ -20,8 +20,8 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Indexed = std::pair<Point_3, std::size_t>;
-using Traits =
-    CGAL::Search_traits_adapter<Indexed, CGAL::First_of_pair_property_map<Indexed>, CGAL::Search_traits_3<Kernel>>;
+using Traits = CGAL::Search_traits_adapter<Indexed, CGAL::First_of_pair_property_map<Indexed>,
+                                           CGAL::Search_traits_3<Kernel>>;
 using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
 
 }  // namespace
@@ -32,7 +32,7 @@ struct Point_tree::Tree {
 
 Point_tree::Point_tree(const std::vector<Vec3>& points) : m_tree(std::make_unique<Tree>())
 {
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for(std::size_t i = 0; i < points.size(); ++i) {
     m_tree->tree.insert(Indexed(Point_3(points[i].x(), points[i].y(), points[i].z()), i));
   }
   m_tree->tree.build();
@@ -43,23 +43,26 @@ Point_tree::Point_tree(Point_tree&&) noexcept = default;
 
 std::vector<Neighbour> Point_tree::nearest(const Vec3& query, std::size_t k) const
 {
-  const Search search(m_tree->tree, Point_3(query.x(), query.y(), query.z()), static_cast<unsigned int>(k));
+  const Search search(m_tree->tree, Point_3(query.x(), query.y(), query.z()),
+                      static_cast<unsigned int>(k));
   std::vector<Neighbour> result;
   result.reserve(k);
-  for (const auto& found : search) result.push_back({found.first.second, std::sqrt(found.second)});
+  for(const auto& found : search)
+    result.push_back({found.first.second, std::sqrt(found.second)});
   return result;
 }
 
 double average_spacing(const std::vector<Vec3>& points, std::size_t k)
 {
-  if (points.size() < 2) return 0.0;
+  if(points.size() < 2)
+    return 0.0;
   const Point_tree tree(points);
   double sum = 0.0;
   std::size_t count = 0;
-  for (const Vec3& p : points) {
+  for(const Vec3& p : points) {
     const std::vector<Neighbour> found = tree.nearest(p, k + 1);
     // the first one is the point itself
-    for (std::size_t i = 1; i < found.size(); ++i) {
+    for(std::size_t i = 1; i < found.size(); ++i) {
       sum += found[i].distance;
       ++count;
     }

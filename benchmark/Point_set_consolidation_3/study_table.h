@@ -25,8 +25,8 @@ struct Study_row {
 /// Names of the values.
 const std::vector<std::string>& study_columns();
 
-std::vector<double> study_values(const Mesh_verdict& verdict, std::size_t points, double seconds_method,
-                                 double seconds_mesh);
+std::vector<double> study_values(const Mesh_verdict& verdict, std::size_t points,
+                                 double seconds_method, double seconds_mesh);
 
 std::string csv_header();
 std::string to_csv(const Study_row& row);
@@ -38,6 +38,11 @@ std::vector<Study_row> mean_over_seeds(const std::vector<Study_row>& rows);
 
 /// Summary per spec and method, then all cases, losses against `reference` first.
 std::string markdown_report(const std::vector<Study_row>& means, const std::string& reference);
+
+/// Geometric mean over the models of the ratio of a column to that of `reference`; not-a-number if there is none.
+double mean_ratio(const std::vector<Study_row>& means, const std::string& spec,
+                  const std::string& method, const std::string& reference,
+                  const std::string& column);
 
 }  // namespace benchmark
 

@@ -29,7 +29,8 @@ vx vy vz towards the scanner and the index of the view. Lengths are percent of t
 
 void run(const benchmark::Arguments& arguments)
 {
-  if (arguments.files().size() != 1 || !arguments.has("-o")) throw benchmark::Usage_error("needs MESH and -o SCAN.ply");
+  if(arguments.files().size() != 1 || !arguments.has("-o"))
+    throw benchmark::Usage_error("needs MESH and -o SCAN.ply");
   benchmark::Scanner_options options;
   options.views = arguments.count("--views", options.views);
   options.points = arguments.count("--points", options.points);
@@ -40,15 +41,18 @@ void run(const benchmark::Arguments& arguments)
   options.distance = arguments.number("--distance", options.distance);
   options.grazing_cosine = arguments.number("--grazing", options.grazing_cosine);
   options.seed = arguments.count("--seed", options.seed);
-  if (options.views == 0 || options.points == 0) throw benchmark::Usage_error("needs at least one view and one point");
+  if(options.views == 0 || options.points == 0)
+    throw benchmark::Usage_error("needs at least one view and one point");
 
   const support::Triangle_mesh mesh = support::read_mesh(arguments.files()[0]);
   const benchmark::Scan scan = benchmark::scan_mesh(mesh, options);
   support::write_point_cloud(arguments.text("-o"), scan.cloud);
-  if (arguments.has("--truth")) support::write_point_cloud(arguments.text("--truth"), benchmark::truth_cloud(scan));
+  if(arguments.has("--truth"))
+    support::write_point_cloud(arguments.text("--truth"), benchmark::truth_cloud(scan));
   std::cout << scan.cloud.size() << " points from " << options.views << " views, "
-            << scan.cloud.size() - scan.true_points.size() << " outliers, diagonal " << scan.diagonal << ", ray pitch "
-            << 100.0 * scan.pitch / scan.diagonal << " % of it\n";
+            << scan.cloud.size() - scan.true_points.size() << " outliers, diagonal "
+            << scan.diagonal << ", ray pitch " << 100.0 * scan.pitch / scan.diagonal
+            << " % of it\n";
 }
 
 }  // namespace
@@ -57,21 +61,22 @@ int main(int argc, char** argv)
 try {
   const benchmark::Arguments arguments(
       argc, argv,
-      {"-o", "--views", "--points", "--noise", "--outliers", "--misalign", "--distance", "--grazing", "--seed", "--truth"},
+      {"-o", "--views", "--points", "--noise", "--outliers", "--misalign", "--distance",
+       "--grazing", "--seed", "--truth"},
       {"--perspective"});
-  if (arguments.has("--help")) {
+  if(arguments.has("--help")) {
     std::cout << usage;
     return 0;
   }
   run(arguments);
   return 0;
-} catch (const benchmark::Usage_error& error) {
+} catch(const benchmark::Usage_error& error) {
   std::cerr << "virtual_scan: " << error.what() << " (see --help)\n";
   return 1;
-} catch (const support::File_error& error) {
+} catch(const support::File_error& error) {
   std::cerr << "virtual_scan: " << error.what() << "\n";
   return 2;
-} catch (const std::exception& error) {
+} catch(const std::exception& error) {
   std::cerr << "virtual_scan: " << error.what() << "\n";
   return 3;
 }

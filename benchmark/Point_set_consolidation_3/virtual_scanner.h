@@ -17,7 +17,7 @@ using support::Vec3;
 
 /// A depth camera that looks at a closed mesh. Lengths are in percent of the mesh's bounding box diagonal.
 struct Scanner_options {
-  std::size_t views = 1;         ///< number of default directions (ignored if `directions` is given)
+  std::size_t views = 1;  ///< number of default directions (ignored if `directions` is given)
   std::vector<Vec3> directions;  ///< from the model towards the scanner, any length
   std::size_t points = 20000;    ///< of all views together; met within one percent or so
   bool perspective = false;      ///< false: parallel rays; true: rays from one point per view
@@ -25,17 +25,19 @@ struct Scanner_options {
   double grazing_cosine = 0.15;  ///< surfaces that are hit at a smaller cosine return nothing
   double noise = 0.0;            ///< standard deviation along the ray, percent of the diagonal
   double outliers = 0.0;         ///< percent of the points that lie anywhere in the (enlarged) box
-  double misalignment = 0.0;     ///< shift, and largest displacement by a rotation, of views after the first, percent
-  std::uint64_t seed = 1;        ///< jitter of the rays, noise, outliers and misalignment
+  double misalignment
+      = 0.0;  ///< shift, and largest displacement by a rotation, of views after the first, percent
+  std::uint64_t seed = 1;  ///< jitter of the rays, noise, outliers and misalignment
 };
 
 /// What the scanner hands out, and the truth beside it.
 struct Scan {
-  Point_cloud cloud;               ///< points, directions, views; outliers come last
-  std::vector<Vec3> true_points;   ///< of the first `true_points.size()` points; the rest are outliers
+  Point_cloud cloud;  ///< points, directions, views; outliers come last
+  std::vector<Vec3>
+      true_points;  ///< of the first `true_points.size()` points; the rest are outliers
   std::vector<Vec3> true_normals;  ///< of the facets that were hit, outwards
   double diagonal = 0.0;           ///< of the mesh
-  double pitch = 0.0;              ///< distance of neighbouring rays (perspective: at the box centre)
+  double pitch = 0.0;  ///< distance of neighbouring rays (perspective: at the box centre)
 };
 
 /// `count` unit directions: three fixed ones, then always the one farthest from all before.

@@ -25,14 +25,16 @@ Triangle_mesh grid(std::size_t columns, std::size_t rows, bool close_columns, bo
   Triangle_mesh mesh;
   const std::size_t width = close_columns ? columns : columns + 1;
   const std::size_t height = close_rows ? rows : rows + 1;
-  for (std::size_t j = 0; j < height; ++j) {
-    for (std::size_t i = 0; i < width; ++i) {
-      mesh.vertices.push_back(point(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
+  for(std::size_t j = 0; j < height; ++j) {
+    for(std::size_t i = 0; i < width; ++i) {
+      mesh.vertices.push_back(
+          point(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
     }
   }
-  for (std::size_t j = 0; j < rows; ++j) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      const auto at = [&](std::size_t a, std::size_t b) { return (b % height) * width + a % width; };
+  for(std::size_t j = 0; j < rows; ++j) {
+    for(std::size_t i = 0; i < columns; ++i) {
+      const auto at
+          = [&](std::size_t a, std::size_t b) { return (b % height) * width + a % width; };
       mesh.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
       mesh.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
@@ -55,24 +57,28 @@ Triangle_mesh sphere(double radius, std::size_t subdivisions = 64)
 {
   Triangle_mesh mesh;
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
-  for (int octant = 0; octant < 8; ++octant) {
+  for(int octant = 0; octant < 8; ++octant) {
     const Vec3 a = octant & 1 ? -x : x, b = octant & 2 ? -y : y, c = octant & 4 ? -z : z;
     const bool outwards = a.cross(b).dot(c) > 0.0;
     const std::size_t first = mesh.vertices.size();
-    const auto at = [&](std::size_t i, std::size_t j) { return first + j * (subdivisions + 1) - j * (j - 1) / 2 + i; };
-    for (std::size_t j = 0; j <= subdivisions; ++j) {
-      for (std::size_t i = 0; i + j <= subdivisions; ++i) {
-        const double u = static_cast<double>(i) / subdivisions, v = static_cast<double>(j) / subdivisions;
+    const auto at = [&](std::size_t i, std::size_t j) {
+      return first + j * (subdivisions + 1) - j * (j - 1) / 2 + i;
+    };
+    for(std::size_t j = 0; j <= subdivisions; ++j) {
+      for(std::size_t i = 0; i + j <= subdivisions; ++i) {
+        const double u = static_cast<double>(i) / subdivisions,
+                     v = static_cast<double>(j) / subdivisions;
         mesh.vertices.push_back(radius * (u * a + v * b + (1.0 - u - v) * c).normalized());
       }
     }
     const auto add = [&](std::size_t p, std::size_t q, std::size_t r) {
       outwards ? mesh.faces.push_back({p, q, r}) : mesh.faces.push_back({q, p, r});
     };
-    for (std::size_t j = 0; j < subdivisions; ++j) {
-      for (std::size_t i = 0; i + j < subdivisions; ++i) {
+    for(std::size_t j = 0; j < subdivisions; ++j) {
+      for(std::size_t i = 0; i + j < subdivisions; ++i) {
         add(at(i, j), at(i + 1, j), at(i, j + 1));
-        if (i + j + 1 < subdivisions) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+        if(i + j + 1 < subdivisions)
+          add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
       }
     }
   }
@@ -83,8 +89,9 @@ Triangle_mesh together(const Triangle_mesh& a, const Triangle_mesh& b)
 {
   Triangle_mesh mesh = a;
   mesh.vertices.insert(mesh.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (auto face : b.faces) {
-    for (std::size_t& v : face) v += a.vertices.size();
+  for(auto face : b.faces) {
+    for(std::size_t& v : face)
+      v += a.vertices.size();
     mesh.faces.push_back(face);
   }
   return mesh;
@@ -94,16 +101,19 @@ Triangle_mesh keep_faces(const Triangle_mesh& mesh, const std::function<bool(con
 {
   Triangle_mesh part;
   part.vertices = mesh.vertices;
-  for (const auto& face : mesh.faces) {
-    const Vec3 centre = (mesh.vertices[face[0]] + mesh.vertices[face[1]] + mesh.vertices[face[2]]) / 3.0;
-    if (keep(centre)) part.faces.push_back(face);
+  for(const auto& face : mesh.faces) {
+    const Vec3 centre
+        = (mesh.vertices[face[0]] + mesh.vertices[face[1]] + mesh.vertices[face[2]]) / 3.0;
+    if(keep(centre))
+      part.faces.push_back(face);
   }
   return part;
 }
 
 void check(double value, double expected, double tolerance, const char* what)
 {
-  if (std::abs(value - expected) <= tolerance) return;
+  if(std::abs(value - expected) <= tolerance)
+    return;
   std::cerr << what << ": " << value << " instead of " << expected << " +- " << tolerance << "\n";
   std::exit(EXIT_FAILURE);
 }
@@ -114,12 +124,12 @@ const double percent_of_radius = 100.0 / (2.0 * std::sqrt(3.0));
 void concentric_spheres()
 {
   const Triangle_mesh truth = sphere(2.0);
-  for (const double share : {0.01, 0.05}) {
+  for(const double share : {0.01, 0.05}) {
     const Mesh_verdict verdict = Judge(truth).mesh(sphere(2.0 * (1.0 + share)));
     const double expected = share * percent_of_radius;
     // the facets lie up to 2e-4 R inside of the sphere
     const double tolerance = 2e-4 * percent_of_radius;
-    for (const Distance_statistics& statistics : {verdict.forward, verdict.reverse}) {
+    for(const Distance_statistics& statistics : {verdict.forward, verdict.reverse}) {
       check(statistics.mean, expected, tolerance, "mean distance of concentric spheres");
       check(statistics.rms, expected, tolerance, "rms distance of concentric spheres");
       check(statistics.percentile_95, expected, tolerance, "95 % distance of concentric spheres");
@@ -146,7 +156,8 @@ void identical_meshes()
 void offset_plane()
 {
   const auto plane = [](double height) {
-    return grid(20, 20, false, false, [&](double u, double v) { return Vec3(4.0 * u, 3.0 * v, height); });
+    return grid(20, 20, false, false,
+                [&](double u, double v) { return Vec3(4.0 * u, 3.0 * v, height); });
   };
   const Mesh_verdict verdict = Judge(plane(0.0)).mesh(plane(0.02));
   check(verdict.forward.mean, 0.4, 1e-9, "offset of planes");
@@ -162,8 +173,9 @@ void missing_half()
   const auto upper = [](const Vec3& p) { return p.z() > 0.0; };
   Point_cloud scan;  // what a noise-free scan of the upper half would see
   const Surface_samples samples = sample_surface(truth, 20000, 7);
-  for (const Vec3& p : samples.points) {
-    if (!upper(p)) continue;
+  for(const Vec3& p : samples.points) {
+    if(!upper(p))
+      continue;
     scan.points.push_back(p);
     scan.normals.push_back(p.normalized());
   }
@@ -171,12 +183,15 @@ void missing_half()
   // mean over the lower half of the chord to the equator: 4 (1 - c) - 8 (2/3 - c + c^3/3), c = cos(pi/4)
   const double chord = 0.552285;
   check(verdict.reverse.max, 0.0, 1e-9, "distance of a part of the truth");
-  check(verdict.forward.mean, 0.5 * chord * percent_of_radius, 0.02, "mean distance to a half sphere");
-  check(verdict.forward.max, std::sqrt(2.0) * percent_of_radius, 0.3, "largest distance to a half sphere");
+  check(verdict.forward.mean, 0.5 * chord * percent_of_radius, 0.02,
+        "mean distance to a half sphere");
+  check(verdict.forward.max, std::sqrt(2.0) * percent_of_radius, 0.3,
+        "largest distance to a half sphere");
   check(verdict.seen_share, 0.5, 0.03, "seen share of the half sphere");
   check(verdict.seen.mean, 0.0, 0.05, "error of the seen half");
   // a strip of two scan spacings (0.06 R) along the equator counts as seen
-  check(verdict.unseen.mean, (chord - 0.002) / 0.94 * percent_of_radius, 0.5, "error of the unseen half");
+  check(verdict.unseen.mean, (chord - 0.002) / 0.94 * percent_of_radius, 0.5,
+        "error of the unseen half");
   assert(!verdict.topology.closed);
 }
 
@@ -191,7 +206,8 @@ void topology()
   Triangle_mesh turned = ring;
   std::swap(turned.faces[0][0], turned.faces[0][1]);
   assert(!topology_of(turned).closed);
-  const Triangle_mesh unit = grid(1, 1, false, false, [](double u, double v) { return Vec3(u, v, 0.0); });
+  const Triangle_mesh unit
+      = grid(1, 1, false, false, [](double u, double v) { return Vec3(u, v, 0.0); });
   assert(topology_of(unit).components == 1 && !topology_of(unit).closed);
 }
 
@@ -199,7 +215,8 @@ void flipped_normals()
 {
   const Triangle_mesh truth = sphere(1.0);
   Triangle_mesh inside_out = truth;
-  for (auto& face : inside_out.faces) std::swap(face[0], face[1]);
+  for(auto& face : inside_out.faces)
+    std::swap(face[0], face[1]);
   const Mesh_verdict mesh_verdict = Judge(truth).mesh(inside_out);
   check(mesh_verdict.normals.flipped, 1.0, 0.0, "flipped facets");
   check(mesh_verdict.normals.mean_error, 0.0, 1.0, "unoriented normals of flipped facets");
@@ -208,7 +225,7 @@ void flipped_normals()
   // every fourth normal flipped, all tilted by 20 degrees
   const Surface_samples samples = sample_surface(truth, 4000, 3);
   Point_cloud cloud;
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+  for(std::size_t i = 0; i < samples.points.size(); ++i) {
     const Vec3 normal = samples.points[i].normalized();
     const Vec3 axis = normal.unitOrthogonal();
     const Vec3 tilted = Eigen::AngleAxisd(20.0 * EIGEN_PI / 180.0, axis) * normal;
@@ -225,8 +242,9 @@ void point_spacing()
 {
   const auto plane = grid(1, 1, false, false, [](double u, double v) { return Vec3(u, v, 0.0); });
   Point_cloud lattice, random;
-  for (int i = 0; i < 40; ++i) {
-    for (int j = 0; j < 40; ++j) lattice.points.emplace_back((i + 0.5) / 40.0, (j + 0.5) / 40.0, 0.01);
+  for(int i = 0; i < 40; ++i) {
+    for(int j = 0; j < 40; ++j)
+      lattice.points.emplace_back((i + 0.5) / 40.0, (j + 0.5) / 40.0, 0.01);
   }
   const Point_set_verdict regular = Judge(plane).points(lattice);
   check(regular.spacing_variation, 0.0, 1e-6, "spacing variation of a lattice");
@@ -239,7 +257,7 @@ void point_spacing()
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
     return static_cast<double>(state >> 11) * 0x1.0p-53;
   };
-  for (int i = 0; i < 20000; ++i) {
+  for(int i = 0; i < 20000; ++i) {
     const double u = uniform();
     random.points.emplace_back(u, uniform(), 0.0);
   }
@@ -251,8 +269,9 @@ void hidden_coverage()
 {
   const Triangle_mesh truth = sphere(1.0);
   Point_cloud upper;
-  for (const Vec3& p : sample_surface(truth, 20000, 7).points) {
-    if (p.z() <= 0.0) continue;
+  for(const Vec3& p : sample_surface(truth, 20000, 7).points) {
+    if(p.z() <= 0.0)
+      continue;
     upper.points.push_back(p);
     upper.normals.push_back(p.normalized());
   }
@@ -266,12 +285,14 @@ Segment_graph arc(double radius, double share, double height = 0.0)
   Segment_graph graph;
   const std::size_t count = 200;
   const auto used = static_cast<std::size_t>(share * count);
-  for (std::size_t i = 0; i < used; ++i) {
+  for(std::size_t i = 0; i < used; ++i) {
     const double angle = 2.0 * EIGEN_PI * static_cast<double>(i) / count;
     graph.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
-    if (i > 0) graph.edges.push_back({i - 1, i});
+    if(i > 0)
+      graph.edges.push_back({i - 1, i});
   }
-  if (used == count) graph.edges.push_back({count - 1, 0});
+  if(used == count)
+    graph.edges.push_back({count - 1, 0});
   return graph;
 }
 
@@ -311,7 +332,7 @@ void scanner()
   check(static_cast<double>(count), 5000.0, 75.0, "number of points");
   const Vec3 towards = Vec3(1.0, 0.45, 0.35).normalized();
   double square_sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for(std::size_t i = 0; i < count; ++i) {
     check(scan.true_points[i].norm(), 1.0, 3e-4, "true sample on the sphere");
     assert((scan.cloud.directions[i] - towards).norm() < 1e-12 && scan.cloud.views[i] == 0);
     assert(scan.true_normals[i].dot(towards) >= options.grazing_cosine);
@@ -341,9 +362,9 @@ void scanner()
   check(static_cast<double>(hard.cloud.size() - measured), 500.0, 10.0, "number of outliers");
   double largest = 0.0;
   double smallest = 1.0;
-  for (std::size_t i = 0; i < measured; ++i) {
+  for(std::size_t i = 0; i < measured; ++i) {
     const double moved = (hard.cloud.points[i] - hard.true_points[i]).norm() / hard.diagonal;
-    if (hard.cloud.views[i] == 0) {
+    if(hard.cloud.views[i] == 0) {
       assert(moved == 0.0);
       const Vec3 eye = options.distance * hard.diagonal * towards;
       assert(((eye - hard.true_points[i]).normalized() - hard.cloud.directions[i]).norm() < 1e-9);
@@ -355,8 +376,9 @@ void scanner()
   assert(largest <= 0.04 && largest > 0.015 && smallest > 0.0);
 
   const std::vector<Vec3> directions = default_view_directions(12);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) assert(directions[i].dot(directions[j]) < std::cos(40.0 * EIGEN_PI / 180.0));
+  for(std::size_t i = 0; i < directions.size(); ++i) {
+    for(std::size_t j = 0; j < i; ++j)
+      assert(directions[i].dot(directions[j]) < std::cos(40.0 * EIGEN_PI / 180.0));
   }
 }
 

@@ -1,0 +1,275 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Time and memory of the package's operators and CGAL's on the same input in the same run.
+
+#include "arguments.h"
+#include "child_processes.h"
+#include "models.h"
+#include "point_tree.h"
+#include "speed_operators.h"
+#include "virtual_scanner.h"
+
+#include <sys/mman.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+using namespace benchmark;
+
+namespace {
+
+const char* const usage =
+    R"(speed_study [options]
+Runs operators of CGAL and of the package on virtual scans (three views, 0.1 % noise) and writes speed.csv and
+speed.md into --out. Each operator runs in a process of its own, one at a time.
+  --data DIR         CGAL's data (environment variable CGAL_DATA_DIR)
+  --model NAME       (armadillo)
+  --sizes LIST       numbers of points (20000,100000)
+  --operators LIST   words that occur in their names (all)
+  --sequential       no parallel versions
+  --repeat N         takes the fastest of N runs (1)
+  --timeout N        seconds for one operator (300)
+  --out DIR          (speed_study_results)
+)";
+
+struct Measurement {
+  std::string error;
+  double cpu_seconds = 0.0;
+  double wall_seconds = 0.0;
+  double megabytes = 0.0;  ///< peak above the input
+};
+
+Speed_input make_input(const std::string& data, const std::string& model, std::size_t size)
+{
+  Scanner_options options;
+  options.views = 3;
+  options.points
+      = size
+        + size / 50;  // the scanner meets the number within a percent or so; the rest is dropped
+  options.noise = 0.1;
+  const Scan scan = scan_mesh(load_model(select_models({model}).front(), data), options);
+  Speed_input input;
+  const std::size_t count = std::min(size, scan.cloud.size());
+  const double step = static_cast<double>(scan.cloud.size()) / static_cast<double>(count);
+  for(std::size_t k = 0; k < count; ++k) {
+    const auto i = static_cast<std::size_t>(step * static_cast<double>(k));
+    input.points.push_back(scan.cloud.points[i]);
+    input.normals.push_back(scan.true_normals[i]);
+    input.directions.push_back(scan.cloud.directions[i]);
+    input.views.push_back(scan.cloud.views[i]);
+  }
+  input.spacing = average_spacing(input.points);
+  return input;
+}
+
+/// Memory that parent and child share: the child's stopwatch as the parent sees it.
+class Shared_stopwatch {
+public:
+  Shared_stopwatch()
+  {
+    void* memory = mmap(nullptr, sizeof(Stopwatch), PROT_READ | PROT_WRITE,
+                        MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if(memory == MAP_FAILED)
+      throw std::runtime_error("no shared memory");
+    m_watch = new (memory) Stopwatch;
+  }
+  ~Shared_stopwatch() { munmap(m_watch, sizeof(Stopwatch)); }
+  Shared_stopwatch(const Shared_stopwatch&) = delete;
+  Shared_stopwatch& operator=(const Shared_stopwatch&) = delete;
+  Stopwatch& operator*() { return *m_watch; }
+  Stopwatch* operator->() { return m_watch; }
+
+private:
+  Stopwatch* m_watch;
+};
+
+Measurement measure(const Speed_operator& op, const Speed_input& input, std::size_t repeat,
+                    unsigned int timeout)
+{
+  // a child starts with the pages of its parent, the input among them
+  const double base = measure_in_child([] {}, timeout).peak_megabytes;
+  Measurement best;
+  for(std::size_t i = 0; i < repeat; ++i) {
+    Shared_stopwatch watch;
+    const Resources resources = measure_in_child([&] { op.run(input, *watch); }, timeout);
+    if(!resources.error.empty()) {
+      best.error = resources.error;
+      return best;
+    }
+    if(i == 0 || watch->cpu_seconds < best.cpu_seconds) {
+      best.cpu_seconds = watch->cpu_seconds;
+      best.wall_seconds = watch->wall_seconds;
+      best.megabytes = std::max(0.0, resources.peak_megabytes - base);
+    }
+  }
+  return best;
+}
+
+std::string fixed(double value, int digits)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+/// Results by name (with "parallel" if so) and size.
+using Table = std::map<std::string, std::map<std::size_t, Measurement>>;
+
+std::string key_of(const std::string& name, bool parallel)
+{
+  return name + (parallel ? " (parallel)" : "");
+}
+
+/// e in time ~ n^e, from the smallest to the largest size that was run.
+std::string growth(const std::map<std::size_t, Measurement>& row)
+{
+  const Measurement* first = nullptr;
+  const Measurement* last = nullptr;
+  std::size_t first_size = 0;
+  std::size_t last_size = 0;
+  for(const auto& [size, result] : row) {
+    if(!result.error.empty() || result.cpu_seconds <= 0.0)
+      continue;
+    if(first == nullptr) {
+      first = &result;
+      first_size = size;
+    }
+    last = &result;
+    last_size = size;
+  }
+  if(last_size == first_size)
+    return "-";
+  return fixed(std::log(last->cpu_seconds / first->cpu_seconds)
+                   / std::log(static_cast<double>(last_size) / static_cast<double>(first_size)),
+               2);
+}
+
+std::string report(const std::vector<Speed_operator>& operators,
+                   const std::vector<std::size_t>& sizes, const Table& table)
+{
+  std::ostringstream out;
+  out << "CPU seconds (all threads) / wall seconds / peak memory above the input in MB; in "
+         "brackets the CPU seconds by "
+         "those of the operator of CGAL\nthat it is compared with (less is faster). Growth: e in "
+         "CPU time ~ n^e.\n\n";
+  out << "| operator | compared with |";
+  for(std::size_t size : sizes)
+    out << " " << size << " |";
+  out << " growth |\n|---|---|";
+  for(std::size_t i = 0; i < sizes.size(); ++i)
+    out << "---|";
+  out << "---|\n";
+  for(const Speed_operator& op : operators) {
+    const auto row = table.find(key_of(op.name, op.parallel));
+    if(row == table.end())
+      continue;
+    out << "| " << row->first << " | " << op.counterpart << " |";
+    for(std::size_t size : sizes) {
+      const auto cell = row->second.find(size);
+      if(cell == row->second.end()) {
+        out << " - |";
+        continue;
+      }
+      const Measurement& result = cell->second;
+      if(!result.error.empty()) {
+        out << " " << result.error << " |";
+        continue;
+      }
+      out << " " << fixed(result.cpu_seconds, 3) << " / " << fixed(result.wall_seconds, 3) << " / "
+          << fixed(result.megabytes, 0);
+      const auto other_row = table.find(op.counterpart);
+      if(other_row != table.end()) {
+        const auto other = other_row->second.find(size);
+        if(other != other_row->second.end() && other->second.error.empty()) {
+          out << " (" << fixed(result.cpu_seconds / other->second.cpu_seconds, 2) << ")";
+        }
+      }
+      out << " |";
+    }
+    out << " " << growth(row->second) << " |\n";
+  }
+  return out.str();
+}
+
+void run(const Arguments& arguments)
+{
+  if(!arguments.files().empty())
+    throw Usage_error("unexpected '" + arguments.files()[0] + "'");
+  const std::string data = data_folder(arguments.text("--data"));
+  const std::filesystem::path folder = arguments.text("--out", "speed_study_results");
+  const std::size_t repeat = std::max<std::size_t>(1, arguments.count("--repeat", 1));
+  const auto timeout = static_cast<unsigned int>(arguments.count("--timeout", 300));
+  std::vector<std::size_t> sizes;
+  for(const std::string& word : arguments.list("--sizes", {"20000", "100000"})) {
+    if(word.find_first_not_of("0123456789") != std::string::npos || std::stoul(word) == 0) {
+      throw Usage_error("--sizes needs numbers of points, not '" + word + "'");
+    }
+    sizes.push_back(std::stoul(word));
+  }
+  const std::vector<std::string> words = arguments.list("--operators");
+  std::vector<Speed_operator> operators;
+  for(const auto& list : {cgal_operators(), package_operators()}) {
+    for(const Speed_operator& op : list) {
+      const bool is_chosen
+          = words.empty() || std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+              return op.name.find(word) != std::string::npos;
+            });
+      if(is_chosen && !(op.parallel && arguments.has("--sequential")))
+        operators.push_back(op);
+    }
+  }
+
+  std::filesystem::create_directories(folder);
+  std::ofstream csv(folder / "speed.csv");
+  csv << "operator,points,cpu_seconds,wall_seconds,megabytes,error\n";
+  Table table;
+  for(std::size_t size : sizes) {
+    const Speed_input input = make_input(data, arguments.text("--model", "armadillo"), size);
+    for(const Speed_operator& op : operators) {
+      if(size > op.largest)
+        continue;
+      const Measurement result = measure(op, input, repeat, timeout);
+      const std::string name = key_of(op.name, op.parallel);
+      table[name][size] = result;
+      csv << name << "," << input.points.size() << "," << result.cpu_seconds << ","
+          << result.wall_seconds << "," << result.megabytes << "," << result.error << "\n"
+          << std::flush;
+      std::cerr << size << " " << name << ": "
+                << (result.error.empty() ? fixed(result.cpu_seconds, 3) + " s" : result.error)
+                << "\n";
+    }
+  }
+  const std::string text = report(operators, sizes, table);
+  std::ofstream(folder / "speed.md") << "# Speed study\n\n" << text;
+  std::cout << text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+try {
+  const Arguments arguments(
+      argc, argv, {"--data", "--model", "--sizes", "--operators", "--repeat", "--timeout", "--out"},
+      {"--sequential"});
+  if(arguments.has("--help")) {
+    std::cout << usage;
+    return 0;
+  }
+  run(arguments);
+  return 0;
+} catch(const Usage_error& error) {
+  std::cerr << "speed_study: " << error.what() << " (see --help)\n";
+  return 1;
+} catch(const support::File_error& error) {
+  std::cerr << "speed_study: " << error.what() << "\n";
+  return 2;
+} catch(const std::exception& error) {
+  std::cerr << "speed_study: " << error.what() << "\n";
+  return 3;
+}
