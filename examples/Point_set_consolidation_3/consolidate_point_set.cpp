@@ -24,6 +24,7 @@ struct Options : support::Consolidation_options {
   std::string input, output, mesh, mesh_from = "completed", inner, deep_points, completed, json,
     picture;
   std::size_t threads = 0, upsample = 0;
+  double mesh_distance = 0.1;  // the mesher's usual 0.375 facets tubes visibly
   bool quiet = false;
 };
 
@@ -44,6 +45,9 @@ bool parse(Options& o, int argc, char** argv)
               "mesh the completed input (your points, denoised if noisy, and the new ones) or the "
               "method's result alone")
     .one_of({"completed", "result"});
+  line.option("--mesh-distance", "X", o.mesh_distance,
+              "largest distance of the mesh's facets from the surface, in spacings of the meshed points")
+    .between(0.01, 1);
   line.option("--completed", "FILE", o.completed, "the completed input, your points first and in order");
   line.option("--inner", "FILE", o.inner, "inner points (meso-skeleton): .ply with radius");
   line.option("--deep-points", "FILE", o.deep_points, "outer and inner points joined by edges (.ply)");
@@ -191,7 +195,9 @@ void run(int argc, char** argv)
     const Clock::time_point mesh_start = Clock::now();
     const Point_cloud& source = result.completed.points.empty() || o.mesh_from == "result"
                                   ? result.consolidated : result.completed;
-    mesh = support::poisson_mesh(source.points, source.normals);
+    support::Poisson_options mesh_options;
+    mesh_options.distance = o.mesh_distance;
+    mesh = support::poisson_mesh(source.points, source.normals, mesh_options);
     mesh_seconds = std::chrono::duration<double>(Clock::now() - mesh_start).count();
     support::write_mesh(o.mesh, mesh);
   }
