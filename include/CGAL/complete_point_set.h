@@ -26,8 +26,9 @@ namespace CGAL {
 
   The input is neither changed nor reordered; the result does not depend on `ConcurrencyTag`, bit for bit.
 
-  Complexity: about 100 microseconds for each input point; memory about 200 bytes for each input point, and a
-  grid of at most 6 10^7 nodes.
+  Complexity: linear in the number of points for a given density; 20000 points took 2.5 seconds on one core, WLOP
+  included, and 15 MB above the input (`speed_study`). Grids have at most 3 10^7 nodes of 16 bytes, whatever the
+  size of the bounding box.
 
   \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
   \tparam PointRange a model of `ConstRange` whose iterator is a `ForwardIterator`.

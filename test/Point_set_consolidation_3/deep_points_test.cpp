@@ -238,6 +238,21 @@ void completion()
     assert(c.distance() > 0);
   }
   assert(in_front == 0);
+  std::size_t clipped = 0;
+  for(const Completed_point& c : completed)
+    clipped += c.is_clipped();
+  assert(clipped > 0 && clipped < completed.size());  // it tells some points from others
+}
+
+void boxes()
+{
+  using psc::internal::Bounding_box;
+  // the last two unite, and only their common box reaches the first
+  const std::vector<Bounding_box> united = psc::internal::united(
+    {Bounding_box{Vec3(0, 5, 0), Vec3(1, 6, 1)}, Bounding_box{Vec3(3, 0, 0), Vec3(4, 6, 1)},
+     Bounding_box{Vec3(0, 0, 0), Vec3(3.5, 1, 1)}, Bounding_box{Vec3(9, 9, 9), Vec3(10, 10, 10)}});
+  assert(united.size() == 2);
+  assert(united[0].lower == Vec3(0, 0, 0) && united[0].upper == Vec3(4, 6, 1));
 }
 
 double deviation(const std::vector<Deep_point>& a, const std::vector<Deep_point>& b,
@@ -553,6 +568,7 @@ int main()
   y_of_tubes();
   thin_plate();
   completion();
+  boxes();
   invariance();
   parallel_equals_sequential();
   kernels_and_ranges<CGAL::Simple_cartesian<double> >();

@@ -75,7 +75,6 @@
   X(view_direction_map)      /* unit vector from a point towards its scanner */         \
   X(view_index_map)          /* index of the scanner position that saw a point */       \
   X(scanner_positions)       /* range of points, in the order of the view indices */    \
-  X(missed_rays)             /* rays of a scanner that hit nothing */                   \
   X(orientation_is_hint)     /* given normals only tell the side */                     \
   /* particles */                                                                       \
   X(particle_fraction)       /* particles per input point */                            \
@@ -110,16 +109,11 @@
   X(number_of_skeleton_iterations)                                                      \
   X(number_of_surface_iterations)                                                       \
   /* completion */                                                                      \
-  X(maximum_hole_size)                                                                  \
-  X(completed_map)           /* which output points are not measured */                 \
-  X(confidence_map)                                                                     \
   X(denoised_point_map)                                                                 \
   X(denoised_normal_map)                                                                \
   X(outlier_output_iterator)                                                            \
-  X(new_point_map)                                                                      \
   /* segments, skeletons and surfaces driven by them */                                 \
   X(number_of_segments)                                                                 \
-  X(radius_map)                                                                         \
   X(contraction_factor)                                                                 \
   X(contraction_weight)      /* W_L^0, relative to its default */                       \
   X(attraction_weight)       /* W_H^0 */                                                \

@@ -24,7 +24,7 @@ struct Balls {
   std::vector<char> is_clipped;
 };
 
-/// Step 4: the radius of a ball is the deep point's length, bounded by the largest ball tangent at s_i that
+/// The radius of a ball is the deep point's length, bounded by the largest ball tangent at s_i that
 /// holds at most two obstacles: data of another part of the surface, or known free space.
 class Ball_clip {
   static constexpr std::size_t tolerated = 2;     ///< obstacles: the third smallest tangent ball counts
@@ -56,9 +56,9 @@ public:
     parallel_for(m_execution, n, [&](std::size_t i) {
       const double sunk = (std::min)((anchors[i] - m_points[i]).norm(), largest);
       length[i] = clipped(i, sunk);
+      balls.is_clipped[i] = char(length[i] < sunk);
       if(is_one_sided)
         length[i] = thickness * flattened(i, length[i]);
-      balls.is_clipped[i] = char(length[i] < sunk);
     });
     parallel_for(m_execution, n, [&](std::size_t i) {
       std::vector<double> around;

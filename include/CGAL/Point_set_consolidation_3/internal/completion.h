@@ -11,11 +11,14 @@
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/ball_clip.h>
+#include <CGAL/Point_set_consolidation_3/internal/ball_union.h>
+#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
 #include <CGAL/Point_set_consolidation_3/internal/scalar_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/sinking.h>
 #include <CGAL/Point_set_consolidation_3/internal/thinning.h>
+#include <CGAL/Point_set_consolidation_3/internal/working_boxes.h>
 
 #include <array>
 
@@ -44,16 +47,12 @@ struct Completed_points {
 };
 
 class Completion {
-  static constexpr double band = 2.5;             ///< distances are clamped to this
   static constexpr double largest_ball = 0.3;     ///< of the diagonal
   static constexpr double obstacle_distance = 2.5;  ///< in sp: nearer free space is the data's own
   static constexpr double most_nodes = 3e7;       ///< coarser grids beyond: 16 bytes a node
   static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
-  static constexpr double predictable = 0.12;     ///< of the balls' radius; found on the accuracy study
-  static constexpr double largest_miss = 6;
-  static constexpr double linking_distance = 20;  ///< parts farther apart get grids of their own
-  /// A node is inside if so many balls hold it: neighbouring balls overlap, so that one alone is too large.
-  static constexpr std::size_t agreeing_balls = 3;
+  static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
+  static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
 
 public:
   Completion(Execution& execution, const Consolidated_input& input, const Seen_part& seen,
@@ -65,7 +64,9 @@ public:
 
   Completed_points run(Stage& stage)
   {
-    const std::vector<Bounding_box> boxes = working_boxes();
+    const std::vector<Bounding_box> boxes =
+      working_boxes(m_input.points, m_free_space, m_parameters.box_margin,
+                    m_parameters.one_view_depth);
     const double step = grid_step(boxes);
     std::vector<Scalar_grid> free_space(boxes.size());
     Points obstacles;
@@ -80,7 +81,8 @@ public:
     stage.update(0.5);
     Completed_points completed;
     for(std::size_t b = 0; b < boxes.size(); ++b) {
-      Scalar_grid solid = union_of_balls(boxes[b], step, free_space[b]);
+      Scalar_grid solid = Ball_union::make(m_execution, boxes[b], step, m_balls,
+                                           m_free_space.empty() ? nullptr : &free_space[b]);
       free_space[b] = Scalar_grid();
       solid.smooth(m_execution, m_parameters.smoothing);
       Completed_points part = sample(solid);
@@ -106,68 +108,6 @@ private:
   static void append(std::vector<T>& to, const std::vector<T>& from)
   {
     to.insert(to.end(), from.begin(), from.end());
-  }
-
-  /// Step 3: a box for each part of the scan, so that memory does not grow with the void between them.
-  std::vector<Bounding_box> working_boxes() const
-  {
-    const Points& points = m_input.points;
-    const Sorted_grid grid(points, linking_distance);
-    std::vector<char> is_visited(points.size(), 0);
-    std::vector<Bounding_box> boxes;
-    for(std::size_t seed = 0; seed < points.size(); ++seed) {
-      if(is_visited[seed])
-        continue;
-      std::vector<std::size_t> part(1, seed);
-      is_visited[seed] = 1;
-      Bounding_box box{points[seed], points[seed]};
-      for(std::size_t k = 0; k < part.size(); ++k) {
-        const Vec3& p = points[part[k]];
-        box.lower = box.lower.cwiseMin(p);
-        box.upper = box.upper.cwiseMax(p);
-        grid.for_each_neighbor(p, linking_distance, [&](Index j, double) {
-          if(!is_visited[j]) {
-            is_visited[j] = 1;
-            part.push_back(j);
-          }
-          return true;
-        });
-      }
-      boxes.push_back(enlarged(box));
-    }
-    return united(std::move(boxes));
-  }
-
-  /// With one view nothing bounds the object from behind.
-  Bounding_box enlarged(Bounding_box box) const
-  {
-    if(m_free_space.number_of_views() == 1) {
-      const Vec3 away = -m_parameters.one_view_depth * box.sides().maxCoeff() *
-                        m_free_space.projection(0).axis();
-      box.lower += away.cwiseMin(0.);
-      box.upper += away.cwiseMax(0.);
-    }
-    const Vec3 margin = Vec3::Constant(m_parameters.box_margin);
-    return Bounding_box{box.lower - margin, box.upper + margin};
-  }
-
-  /// Boxes that overlap become one.
-  static std::vector<Bounding_box> united(std::vector<Bounding_box> boxes)
-  {
-    for(std::size_t a = 0; a < boxes.size(); ++a)
-      for(std::size_t b = a + 1; b < boxes.size();) {
-        const bool overlap = (boxes[a].lower.array() <= boxes[b].upper.array()).all() &&
-                             (boxes[b].lower.array() <= boxes[a].upper.array()).all();
-        if(overlap) {
-          boxes[a].lower = boxes[a].lower.cwiseMin(boxes[b].lower);
-          boxes[a].upper = boxes[a].upper.cwiseMax(boxes[b].upper);
-          boxes.erase(boxes.begin() + std::ptrdiff_t(b));
-          b = a + 1;  // it may now reach boxes that were apart before
-        }
-        else
-          ++b;
-      }
-    return boxes;
   }
 
   double grid_step(const std::vector<Bounding_box>& boxes) const
@@ -205,7 +145,7 @@ private:
       return phi;
     phi = Scalar_grid(box, step, 0.f);
     fill(phi, [&](const Vec3& x) {
-      return (std::min)(band, (std::max)(-band, m_free_space(x)));
+      return (std::min)(Ball_union::band, (std::max)(-Ball_union::band, m_free_space(x)));
     });
     return phi;
   }
@@ -237,88 +177,6 @@ private:
     append(obstacles, selected(far, thinned(far, 1.)));
   }
 
-  /// Step 5, before smoothing: max(|x - b_i| - l_i of the third nearest ball, Phi(x)), clamped.
-  Scalar_grid union_of_balls(const Bounding_box& box, double step, const Scalar_grid& phi) const
-  {
-    Solids solids;
-    solids.fill(Scalar_grid(box, step, float(band)));
-    Scalar_grid& solid = solids.back();
-    parallel_for(m_execution, std::size_t(solid.size(2)), [&](std::size_t plane) {
-      const int z = int(plane);
-      for(std::size_t i = 0; i < m_balls.centres.size(); ++i)
-        add_ball(solids, z, (m_balls.centres[i] - solid.origin()) / step, m_balls.radius[i]);
-      if(!m_free_space.empty())
-        for(int y = 0; y < solid.size(1); ++y) {
-          Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z), solid.size(0));
-          row = row.max(Eigen::Map<const Eigen::ArrayXf>(phi.row(y, z), solid.size(0)));
-        }
-    });
-    return std::move(solid);
-  }
-
-  /// Distances to the nearest, second nearest, ... ball.
-  typedef std::array<Scalar_grid, agreeing_balls> Solids;
-
-  /// One plane of a ball; `centre` in grid units.
-  static void add_ball(Solids& solids, int z, const Vec3& centre, double radius)
-  {
-    const Scalar_grid& grid = solids.front();
-    const double step = grid.step();
-    const double reach = (radius + band) / step;
-    const double dz = z - centre.z();
-    const double left = reach * reach - dz * dz;
-    if(left <= 0)
-      return;
-    const double half_y = std::sqrt(left);
-    const int y0 = (std::max)(0, int(std::ceil(centre.y() - half_y)));
-    const int y1 = (std::min)(grid.size(1) - 1, int(std::floor(centre.y() + half_y)));
-    Eigen::ArrayXf distance, displaced;
-    for(int y = y0; y <= y1; ++y) {
-      const double dy = y - centre.y();
-      const double half_x = std::sqrt((std::max)(0., left - dy * dy));
-      const int x0 = (std::max)(0, int(std::ceil(centre.x() - half_x)));
-      const int x1 = (std::min)(grid.size(0) - 1, int(std::floor(centre.x() + half_x)));
-      if(x1 < x0)
-        continue;
-      distance.setLinSpaced(x1 - x0 + 1, float(x0 - centre.x()), float(x1 - centre.x()));
-      distance = ((distance.square() + float(dy * dy + dz * dz)).sqrt() * float(step) -
-                  float(radius)).max(-float(band));
-      for(Scalar_grid& solid : solids) {
-        Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z) + x0, x1 - x0 + 1);
-        displaced = row.max(distance);
-        row = row.min(distance);
-        distance.swap(displaced);
-      }
-    }
-  }
-
-  /// Nodes outside of the solid that a corner of the grid can reach: inner voids are no surface.
-  static std::vector<char> outside(const Scalar_grid& solid)
-  {
-    std::vector<char> is_outside(solid.number_of_nodes(), 0);
-    std::vector<std::size_t> front(1, 0);
-    is_outside[0] = 1;
-    while(!front.empty()) {
-      const std::size_t i = front.back();
-      front.pop_back();
-      for(int axis = 0; axis < 3; ++axis) {
-        const std::size_t stride = solid.stride(axis);
-        const std::size_t coordinate = i / stride % std::size_t(solid.size(axis));
-        const auto visit = [&](std::size_t j) {
-          if(!is_outside[j] && solid[j] > 0) {
-            is_outside[j] = 1;
-            front.push_back(j);
-          }
-        };
-        if(coordinate > 0)
-          visit(i - stride);
-        if(coordinate + 1 < std::size_t(solid.size(axis)))
-          visit(i + stride);
-      }
-    }
-    return is_outside;
-  }
-
   /// From the data to the first completed point; less on parts that are thinner than that.
   double least_distance(double ball_radius) const
   {
@@ -327,10 +185,10 @@ private:
            (std::max)(thin, (std::min)(m_parameters.least_gap, ball_radius / m_seen.spacing));
   }
 
-  /// Step 6: the surface of the solid where no data are near.
+  /// The surface of the solid where no data are near.
   Completed_points sample(const Scalar_grid& solid) const
   {
-    const std::vector<char> is_outside = outside(solid);
+    const std::vector<char> is_outside = Ball_union::outside(solid);
     Points crossings;
     solid.for_each_edge([&](std::size_t i, std::size_t j, int) {
       const bool enters = (is_outside[i] && solid[j] <= 0) || (is_outside[j] && solid[i] <= 0);
@@ -362,7 +220,7 @@ private:
     return completed;
   }
 
-  /// Step 7: the solid passes the data at G(c_j) != 0; completed points near the border follow it, so
+  /// The solid passes the data at G(c_j) != 0; completed points near the border follow it, so
   /// that there is no step.
   void correct_border(const Scalar_grid& solid, Completed_points& completed) const
   {
@@ -432,8 +290,6 @@ private:
     if(m_free_space.number_of_views() == 1)
       return;
     const std::size_t n = completed.points.size();
-    const double link = 3 * m_seen.spacing;
-    const Sorted_grid grid(completed.points, link);
     const Nearest_neighbors centres(m_balls.centres);
     std::vector<Index> nearest_datum(n);
     std::vector<double> radius(n);
@@ -441,36 +297,20 @@ private:
       nearest_datum[i] = m_data_tree.nearest(completed.points[i]).index;
       radius[i] = m_balls.radius[centres.nearest(completed.points[i]).index];
     });
-    std::vector<char> is_visited(n, 0);
     std::vector<Index> wide, narrow;
     double error = 0;
-    for(std::size_t seed = 0; seed < n; ++seed) {
-      if(is_visited[seed])
-        continue;
-      std::vector<Index> gap(1, Index(seed)), border;
-      std::vector<double> radii;
+    const double link = 3 * m_seen.spacing;  // completed points are one spacing apart
+    for(const std::vector<Index>& gap : connected_components(completed.points, link)) {
       double width = 0;
-      is_visited[seed] = 1;
-      for(std::size_t k = 0; k < gap.size(); ++k) {
-        const Index i = gap[k];
+      for(const Index i : gap)
         width = (std::max)(width, completed.distance[i]);
-        border.push_back(nearest_datum[i]);
-        radii.push_back(radius[i]);
-        grid.for_each_neighbor(completed.points[i], link, [&](Index j, double) {
-          if(!is_visited[j]) {
-            is_visited[j] = 1;
-            gap.push_back(j);
-          }
-          return true;
-        });
-      }
       if(width > wide_gap) {
         append(wide, gap);
         continue;
       }
       append(narrow, gap);
-      error += double(gap.size()) * prediction_error(std::move(border), width) /
-               median(std::move(radii));
+      error += double(gap.size()) * prediction_error(selected(nearest_datum, gap), width) /
+               median(selected(radius, gap));
     }
     if(error < predictable * double(narrow.size()))
       append(wide, narrow);
@@ -488,7 +328,7 @@ private:
     std::vector<double> error(border.size());
     parallel_for(m_execution, border.size(), [&](std::size_t b) {
       const Vec3& x = m_seen.points[border[b]];
-      std::array<double, agreeing_balls> nearest;
+      std::array<double, Ball_union::agreeing_balls> nearest;
       nearest.fill(largest_miss);
       for(std::size_t i = 0; i < m_balls.centres.size(); ++i)
         if((m_input.points[i] - x).norm() > distance) {

@@ -17,7 +17,7 @@ namespace internal {
 
 /// What is known to be empty because a ray has passed there: for each view an image of the scan with
 /// the nearest data to the scanner, and the distance to the silhouette.
-/// Completion text, step 2: phi_w = max(distance to the silhouette - e, height - nearest height - margin),
+/// phi_w = max(distance to the silhouette - e, height - nearest height - margin),
 /// Phi = max over the views; x is free where Phi(x) > 0.
 class Free_space {
   static constexpr int closing_pixels = 4;   ///< gaps of the sampling that are not seen through

@@ -46,6 +46,11 @@ struct Bounding_box {
   {
     return (lower.array() <= p.array()).all() && (p.array() <= upper.array()).all();
   }
+  bool overlaps(const Bounding_box& other) const
+  {
+    return (lower.array() <= other.upper.array()).all() &&
+           (other.lower.array() <= upper.array()).all();
+  }
   Bounding_box grown(double margin) const
   {
     return {lower - Vec3::Constant(margin), upper + Vec3::Constant(margin)};

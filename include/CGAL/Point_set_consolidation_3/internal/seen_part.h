@@ -16,7 +16,7 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 /// The part of the surface that was scanned, as it is handed to meshing: the caller's points, denoised if
-/// noisy, with oriented normals. Completion text, step 1.
+/// noisy, with oriented normals. First step of the completion (completion.h).
 
 struct Seen_part {
   Points points;
