@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Point_set_consolidation_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef POINT_SET_CONSOLIDATION_3_TEST_SYNTHETIC_SCANS_H
-#define POINT_SET_CONSOLIDATION_3_TEST_SYNTHETIC_SCANS_H
+#ifndef CONSOLIDATION_BENCHMARK_SYNTHETIC_SCANS_H
+#define CONSOLIDATION_BENCHMARK_SYNTHETIC_SCANS_H
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@
 #include <random>
 #include <vector>
 
-/// Shapes given by exact distances, and scans of them: the ground truth of the tests.
+/// Shapes given by exact distances, and scans of them: ground truth of tests and figures.
 namespace synthetic {
 
 using Vec3 = Eigen::Vector3d;
@@ -199,4 +199,4 @@ inline Scan scan(const Shape& shape, const std::vector<Vec3>& views, std::size_t
 
 }  // namespace synthetic
 
-#endif  // POINT_SET_CONSOLIDATION_3_TEST_SYNTHETIC_SCANS_H
+#endif  // CONSOLIDATION_BENCHMARK_SYNTHETIC_SCANS_H
