@@ -137,7 +137,7 @@ synthetic::Shape ellipsoid()
 struct Cap {
   synthetic::Shape shape = ellipsoid();
   Triangle_mesh truth = normalized(shape_mesh(shape, 100));
-  Point_cloud cloud = shape_without(shape, 20000, shape.diagonal(), [](const Vec3& p) { return p.z() > 0.398; });  // 12.7 % of the area
+  Point_cloud cloud = shape_without(shape, 20000, shape.diagonal(), [](const Vec3& p) { return p.z() > 0.34; });  // 19 % of the area
   Judge judge{truth, cloud};
 };
 
