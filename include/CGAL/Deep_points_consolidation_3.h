@@ -9,6 +9,7 @@
 #define CGAL_DEEP_POINTS_CONSOLIDATION_3_H
 
 #include <CGAL/Deep_point_3.h>
+#include <CGAL/Point_set_consolidation_3/internal/completed_filling.h>
 #include <CGAL/Point_set_consolidation_3/internal/confidence.h>
 #include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
@@ -139,6 +140,8 @@ public:
                                         m_skeleton.points, m_surface_parameters, free_space,
                                         frozen, priors)
                     .run(stage);
+      Completed_filling(m_execution, m_skeleton.points, frozen, m_surface)
+        .run(m_surface_parameters.completed_spacing);
       m_confidence.resize(m_surface.points.size());
       parallel_for(m_execution, m_confidence.size(), [&](std::size_t i) {
         m_confidence[i] =
@@ -177,7 +180,8 @@ public:
   /// Empty before their stage has run.
   /// @{
 
-  /// writes the deep points, one for each consolidated point, as `Deep_point_3<Traits>`.
+  /// writes the deep points as `Deep_point_3<Traits>`: one for each consolidated point, then those inserted
+  /// where completed regions were sparse.
   template <typename OutputIterator>
   OutputIterator deep_points(OutputIterator output) const
   {
@@ -212,7 +216,7 @@ public:
   /// its unit normal, outwards
   Vector_3 denoised_normal(std::size_t i) const { return vector(m_seen.normals[i]); }
 
-  /// number of deep points
+  /// number of consolidated points
   std::size_t size() const { return m_input.points.size(); }
   /// spacing r of the consolidated points, equation (1), in the input's unit
   double spacing() const { return m_input.frame.unit; }

@@ -63,7 +63,7 @@ namespace CGAL {
       \cgalParamDefault{none}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_output_points}
-      \cgalParamDescription{number of deep points}
+      \cgalParamDescription{number of consolidated points, each of which becomes a deep point}
       \cgalParamType{`std::size_t`}
       \cgalParamDefault{5 % of the input, at least 4000}
       \cgalParamExtra{At most the number of input points.}
@@ -135,7 +135,15 @@ namespace CGAL {
     \cgalParamNBegin{number_of_surface_iterations}
       \cgalParamDescription{iterations that spread the outer points}
       \cgalParamType{`std::size_t`}
-      \cgalParamDefault{60}
+      \cgalParamDefault{90: the fronts of half a tube of 60 r around have met}
+    \cgalParamNEnd
+    \cgalParamNBegin{completed_spacing}
+      \cgalParamDescription{spacing to which completed regions are filled, in units of r, 0 or at least 0.2.
+        Spreading leaves them 2 to 6 r sparse; inserted points take their distance from the meso-skeleton
+        from their neighbours, as in equation (8), and follow the consolidated ones in the output. 0: no
+        insertion, as many deep points as consolidated points, as in the paper}
+      \cgalParamType{floating scalar value}
+      \cgalParamDefault{1}
     \cgalParamNEnd
     \cgalParamNBegin{data_term}
       \cgalParamDescription{how outer points are drawn to the data, equation (6)}

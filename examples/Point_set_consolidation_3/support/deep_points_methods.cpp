@@ -90,6 +90,7 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
                     .axis_epsilon(o.epsilon)
                     .number_of_skeleton_iterations(o.skeleton_iterations)
                     .number_of_surface_iterations(o.surface_iterations)
+                    .completed_spacing(o.completed_spacing)
                     .data_term(o.data_term == "normal" ? psc::Data_term::NORMAL
                                                        : psc::Data_term::FULL)
                     .prior(prior(o.prior))

@@ -108,6 +108,7 @@
   X(closing_step)                                                                       \
   X(number_of_skeleton_iterations)                                                      \
   X(number_of_surface_iterations)                                                       \
+  X(completed_spacing)       /* of filled regions, in r */                              \
   /* completion */                                                                      \
   X(denoised_point_map)                                                                 \
   X(denoised_normal_map)                                                                \

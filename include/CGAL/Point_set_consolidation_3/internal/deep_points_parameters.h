@@ -66,7 +66,11 @@ Surface_parameters read_surface_parameters(const char* function, const NP& np)
   surface.data_term = parameter_or(np, internal_np::data_term, Data_term::FULL);
   surface.prior = parameter_or(np, internal_np::prior, Prior::VOLUME_PRESERVING);
   surface.iterations =
-    parameter_or(np, internal_np::number_of_surface_iterations, std::size_t(60));
+    parameter_or(np, internal_np::number_of_surface_iterations, std::size_t(90));
+  surface.completed_spacing =
+    not_negative(function, np, internal_np::completed_spacing, "completed_spacing", 1);
+  require(surface.completed_spacing == 0 || surface.completed_spacing >= 0.2, function,
+          "completed_spacing must be 0 or at least 0.2");
   return surface;
 }
 

@@ -30,7 +30,8 @@ struct Surface_parameters {
   Data_term data_term = Data_term::FULL;
   Prior prior = Prior::VOLUME_PRESERVING;
   double shrinkage = 0.1;        ///< of the minimal volume prior, per iteration
-  std::size_t iterations = 60;
+  std::size_t iterations = 90;   ///< until the fronts of half a tube of 60 r around have met
+  double completed_spacing = 1;  ///< to which completed regions are filled; 0: not at all
 };
 
 struct Consolidated_surface {
@@ -51,8 +52,6 @@ class Surface_consolidation {
   static constexpr double longest_step = 1;
   static constexpr double silhouette_tolerance = 1.5;
   static constexpr std::size_t normal_neighbors = 16;
-  static constexpr int final_smoothing_passes = 4;
-  static constexpr std::size_t smoothing_neighbors = 12;
 
 public:
   /// `frozen`: points that stay where they are (empty: none). `priors`: one per point (empty: as in the
@@ -86,11 +85,8 @@ public:
       m_result.points.swap(next);
       update_partners();
       stage.count_iteration();
-      stage.update(double(t + 1) / double(m_parameters.iterations + 1));
+      stage.update(0.9 * double(t + 1) / double(m_parameters.iterations));
     }
-    for(int pass = 0; pass < final_smoothing_passes; ++pass)
-      smooth_completed();
-    update_partners();
     return std::move(m_result);
   }
 
@@ -248,34 +244,6 @@ private:
     const Vec3 step = y - p;
     const double distance = step.norm();
     return distance > longest_step ? Vec3(p + longest_step / distance * step) : y;
-  }
-
-  /// Completed points are sparse, so theta hardly averages them: smooth them over nearest neighbours.
-  void smooth_completed()
-  {
-    const Nearest_neighbors tree(m_result.points);
-    Points points = m_result.points, normals = m_result.normals;
-    parallel_for(m_execution, points.size(), [&](std::size_t i) {
-      if(m_result.data_density[i] >= completed_density || is_frozen(i))
-        return;
-      std::vector<Neighbor> neighbors;
-      tree.find(m_result.points[i], smoothing_neighbors + 1, neighbors);
-      const Vec3& n = m_result.normals[i];
-      Vec3 normal_sum = Vec3::Zero(), offset = Vec3::Zero();
-      std::size_t count = 0;
-      for(const Neighbor& neighbor : neighbors) {
-        if(m_result.normals[neighbor.index].dot(n) <= 0)
-          continue;
-        normal_sum += m_result.normals[neighbor.index];
-        offset += m_result.points[neighbor.index] - m_result.points[i];
-        ++count;
-      }
-      normals[i] = normalized_or(normal_sum, n);
-      if(count > 0)
-        points[i] += 0.5 * normals[i].dot(offset / double(count)) * normals[i];
-    });
-    m_result.points.swap(points);
-    m_result.normals.swap(normals);
   }
 
   Execution& m_execution;
