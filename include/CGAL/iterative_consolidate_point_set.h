@@ -40,8 +40,13 @@ namespace CGAL {
   added points must pass guards that are not in the paper: no ray of the scanner has passed there (if
   directions are known), no sheet of data that faces the other way is near, they rise from the data by
   less than 49 degrees, the regions that they form continue the data's normals at their rim, rise by less than 37
-  degrees and reach farther than holes that Poisson reconstruction closes by itself, and no border is left
-  open.
+  degrees unless they reach no farther from the data than \f$h\f$, reach farther than holes that Poisson
+  reconstruction closes by itself, and no border is left open.
+
+  Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, and nearer ones that are sparser than the
+  points around and lie off the quadric that these follow, by more than 0.07 \f$h\f$ and three times their median
+  residual. Nearer ones are kept if all outliers are less than 0.5 % of the points: so many lie on tips and creases of
+  clean scans.
 
   Defaults that differ from the print were chosen by tests; `printed_values(true)` sets the printed ones:
   one repulsion step per iteration with the printed angle, minimum spacing \f$h/3\f$, data are outliers beyond

@@ -9,11 +9,8 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ITERATIVE_CONSOLIDATION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/confidence.h>
-#include <CGAL/Point_set_consolidation_3/internal/interpolatory_upsampling.h>
-#include <CGAL/Point_set_consolidation_3/internal/mean_shift.h>
-#include <CGAL/Point_set_consolidation_3/internal/particle_selection.h>
-#include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
-#include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
+#include <CGAL/Point_set_consolidation_3/internal/particle_normals.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 
 namespace CGAL {
@@ -21,70 +18,10 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 /// Iterative consolidation paper, algorithm 1: down-sampling to particles, outlier removal, repulsion along
-/// the particles' surface, up-sampling and selection, repeated for the points that were added last.
-/// Deviations from the printed values are defaults of the parameters; `Iterative_parameters::printed()` has the
-/// paper's.
-
-struct Iterative_parameters {
-  double particle_fraction = 0.1;      ///< m / |P^0|, 1/20 to 1/5 in the paper
-  std::size_t neighbors = 20;          ///< k of L_avg
-  double support_radius = 0;           ///< h, in the frame's unit; 0: 2 L_avg
-  std::size_t iterations = 10;
-  bool adaptive = true;                ///< false: all particles anew in each iteration
-  bool two_phases = false;             ///< first without repulsion at a smaller h, then as usual
-  std::uint64_t seed = 0;
-
-  Wlop_parameters wlop;
-  Mean_shift_parameters mean_shift;
-  Repulsion_parameters repulsion;
-  Upsampling_parameters upsampling;    ///< its lengths in units of h
-  Outlier_parameters outliers;
-  Guard_parameters guard;
-  /// Up-sampled points nearer to the data than this are no new points, in units of h; at least L_pnt / 2. L_pnt / 2
-  /// alone, as printed, fills the gaps of any random sample.
-  double selection_distance = 0.2;
-  double particles_per_new_point = 2;  ///< m^i = 2 m |P^i| / |P^0|
-  bool takes_back_open_borders = true;
-  Peel_parameters peel;                ///< its radius in units of h
-  double least_new_share = 0.1;        ///< of the largest |P^j|; the printed stop test cannot be met
-
-  static Iterative_parameters printed()
-  {
-    Iterative_parameters p;
-    p.repulsion = Repulsion_parameters::printed();
-    p.upsampling.least_distance = 1. / 3;
-    p.outliers.far_distance = 1;
-    p.outliers.removes_near = false;
-    p.outliers.least_share = 0;
-    p.guard.enabled = false;
-    p.selection_distance = 0;
-    p.takes_back_open_borders = false;
-    p.least_new_share = 0;
-    return p;
-  }
-};
-
-/// What the method starts from; lengths in the frame's unit.
-struct Iterative_input {
-  Points points;
-  Points normals;                      ///< empty: none
-  bool normals_are_hints = false;      ///< they only tell the side
-  Scan_directions directions;          ///< empty: none
-  std::vector<char> is_constrained;    ///< the static region; empty: none
-};
-
-struct Iterative_result {
-  Points normals;                      ///< of all input points
-  std::vector<char> is_outlier;        ///< of all input points
-  Points new_points, new_normals;
-  std::vector<double> new_confidence;  ///< in (0, 1]
-  std::vector<std::size_t> new_counts; ///< |P^i|, i = 1, 2, ...
-  std::size_t inconsistent_neighbors = 0;
-  double support_radius = 0;           ///< h
-};
+/// the particles' surface, up-sampling and selection, repeated for the points that were added last. Members are
+/// its lines.
 
 class Iterative_consolidation {
-  static constexpr std::size_t normal_neighbors = 18;
   static constexpr std::size_t voting_passes = 3;
   static constexpr std::size_t least_new_points = 20;   ///< fewer are the noise of the selection
   static constexpr double first_phase_radius = 0.6;     ///< of h, in the first of two phases
@@ -168,9 +105,25 @@ private:
     parameters.support_radius = m_h;
     const Wlop_kernel kernel(m_h);
     const Sorted_grid grid(data, kernel.reach);
-    const std::vector<double> densities = wlop_densities(m_execution, grid, data, kernel);
+    const std::vector<double> densities = data_densities(grid, data, kernel, is_static);
     const Wlop_projection<> wlop(m_execution, {&grid, &densities}, parameters);
     wlop.run(stage, m_particles, is_static);
+  }
+
+  /// Of the data that particles which are not static may come to see.
+  std::vector<double> data_densities(const Sorted_grid& grid, const Points& data,
+                                     const Wlop_kernel& kernel,
+                                     const std::vector<char>& is_static) const
+  {
+    if(is_static.empty())
+      return wlop_densities(m_execution, grid, data, kernel);
+    constexpr double farthest_move = 1.5;  // of h; in all iterations they move by half of h at most
+    Points places;
+    for(std::size_t i = 0; i < m_particles.size(); ++i)
+      if(!is_static[i])
+        places.push_back(m_particles[i]);
+    return wlop_densities_near(m_execution, grid, data, kernel, places,
+                               kernel.reach + farthest_move * m_h);
   }
 
   /// Line 13 of algorithm 1. The up-sampled surface is that of the particles before repulsion, so that what is
@@ -179,7 +132,7 @@ private:
   {
     Stage stage(m_execution, "outliers", 0.15);
     const Nearest_table table = nearest_table(m_execution, m_particles, m_parameters.neighbors);
-    Points normals = table_normals(m_particles, table);
+    Points normals = table_normals(m_execution, m_particles, table);
     if(!hints().empty())
       orient_by_hints(m_execution, m_particles, normals, m_input.points, hints());
     else
@@ -193,8 +146,7 @@ private:
       .run(stage, surface, normals, std::move(centres));
     Outlier_parameters parameters = m_parameters.outliers;
     parameters.support_radius = m_h;
-    m_result.is_outlier = outlier_points(m_execution, m_input.points, m_nearest, surface, normals,
-                                         parameters);
+    m_result.is_outlier = outlier_points(m_execution, m_input.points, surface, normals, parameters);
     for(std::size_t i = 0; i < m_input.is_constrained.size(); ++i)
       if(m_input.is_constrained[i])
         m_result.is_outlier[i] = 0;
@@ -204,37 +156,12 @@ private:
   /// The points that are no outliers become P.
   void keep_all()
   {
-    std::vector<Index> place(m_input.points.size(), 0);
     for(std::size_t i = 0; i < m_input.points.size(); ++i)
       if(!m_result.is_outlier[i]) {
-        place[i] = Index(m_points.size());
         m_original.push_back(Index(i));
         m_points.push_back(m_input.points[i]);
       }
-    // neighbours that remain; where most are gone the row is searched anew
-    Nearest_table table;
-    table.k = (std::min)(m_nearest.k, m_points.empty() ? 0 : m_points.size() - 1);
-    table.neighbors.resize(m_points.size() * table.k);
-    const Nearest_neighbors tree(m_points);
-    parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
-      const Index* old = m_nearest.row(m_original[i]);
-      Index* row = table.neighbors.data() + i * table.k;
-      std::size_t count = 0;
-      for(std::size_t k = 0; k < m_nearest.k; ++k)
-        if(!m_result.is_outlier[old[k]] && count < table.k)
-          row[count++] = place[old[k]];
-      if(count == table.k)
-        return;
-      std::vector<Neighbor> found;
-      tree.find(m_points[i], table.k + 1, found);
-      count = 0;
-      for(const Neighbor& neighbor : found)
-        if(neighbor.index != i && count < table.k)
-          row[count++] = neighbor.index;
-      while(count < table.k)
-        row[count++] = Index(i);
-    });
-    m_nearest = std::move(table);
+    m_nearest = restricted_table(m_execution, m_nearest, m_points, m_original);
     m_number_of_kept = m_points.size();
   }
 
@@ -243,27 +170,11 @@ private:
     return m_input.directions.empty() ? m_input.normals : m_input.directions.towards_scanner;
   }
 
-  Points table_normals(const Points& points, const Nearest_table& nearest) const
-  {
-    Points normals(points.size(), Vec3::UnitZ());
-    parallel_for(m_execution, points.size(), [&](std::size_t i) {
-      std::vector<Neighbor> neighbors(1, Neighbor{Index(i), 0.});
-      for(std::size_t k = 0; k < (std::min)(nearest.k, normal_neighbors); ++k) {
-        const Index j = nearest.row(i)[k];
-        neighbors.push_back({j, (points[j] - points[i]).squaredNorm()});
-      }
-      const Vec3 normal = fit_quadric(points, points[i], neighbors).normal;
-      if(normal.allFinite())
-        normals[i] = normal;
-    });
-    return normals;
-  }
-
   /// Line 9 of algorithm 1, on P: particles are coarser than thin parts, where their own normals fail.
   void orient_points()
   {
     Stage stage(m_execution, "normals", 0.1);
-    m_normals = table_normals(m_points, m_nearest);
+    m_normals = table_normals(m_execution, m_points, m_nearest);
     stage.update(0.5);
     const bool has_normals = !m_input.normals.empty() && !m_input.normals_are_hints;
     if(!has_normals && hints().empty()) {
@@ -271,18 +182,13 @@ private:
       orient_by_vote(m_execution, m_points, m_normals, m_nearest, voting_passes);
     }
     else {
-      const Points& sides = has_normals ? m_input.normals : hints();
-      constexpr double decisive = 0.2;  // cosine from which a point's own hint is trusted
-      parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
-        double vote = m_normals[i].dot(sides[m_original[i]]);
-        if(std::abs(vote) < decisive)
-          for(std::size_t k = 0; k < m_nearest.k; ++k)
-            vote += m_normals[i].dot(sides[m_original[m_nearest.row(i)[k]]]);
-        if(vote < 0)
-          m_normals[i] = -m_normals[i];
-        if(has_normals)
-          m_normals[i] = normalized_or(m_input.normals[m_original[i]], m_normals[i]);
-      });
+      Points sides;
+      for(const Index i : m_original)
+        sides.push_back(has_normals ? m_input.normals[i] : hints()[i]);
+      orient_by_sides(m_execution, m_normals, sides, m_nearest);
+      if(has_normals)
+        for(std::size_t i = 0; i < m_normals.size(); ++i)
+          m_normals[i] = normalized_or(sides[i], m_normals[i]);
     }
     m_result.inconsistent_neighbors = inconsistent_neighbors(m_points, m_normals, m_nearest);
     m_kept_points = m_points;
@@ -313,7 +219,8 @@ private:
     for(std::size_t i = 0; i < m_parameters.iterations; ++i) {
       Stage stage(m_execution, "iteration", iteration_share);
       stage.count_iteration();
-      orient_particles(first_alive);
+      update_particle_normals(m_execution, m_points, m_normals, m_h, m_particles, first_alive,
+                              m_particle_normals);
       std::vector<char> is_static(m_particles.size(), 0);
       for(std::size_t k = 0; k < m_particles.size(); ++k)
         is_static[k] = k < first_alive || is_in_static_region(m_particles[k]);
@@ -391,31 +298,6 @@ private:
     parameters.least_distance *= h;
     parameters.support_radius = h;
     return parameters;
-  }
-
-  /// Normals of the particles from `first` on: the mean of those of the points around, on the side of the
-  /// nearest of them.
-  void orient_particles(std::size_t first)
-  {
-    const Wlop_kernel kernel(m_h);
-    const Sorted_grid grid(m_points, kernel.reach);
-    const Nearest_neighbors tree(m_points);
-    m_particle_normals.resize(m_particles.size(), Vec3::UnitZ());
-    parallel_for(m_execution, m_particles.size() - first, [&](std::size_t k) {
-      const std::size_t i = first + k;
-      const Vec3 side = m_normals[tree.nearest(m_particles[i]).index];
-      Vec3 sum = Vec3::Zero();
-      grid.for_each_neighbor_block(m_particles[i], kernel.reach, [&](const Neighbor_block& block) {
-        Block_weights theta;
-        kernel.theta(block, theta);
-        for(int j = 0; j < block.size; ++j) {
-          const Vec3& n = m_normals[block.index[j]];
-          if(n.dot(side) > 0)
-            sum += theta[j] * n;
-        }
-      });
-      m_particle_normals[i] = normalized_or(sum, side);
-    });
   }
 
   bool is_in_static_region(const Vec3& x)

@@ -15,60 +15,8 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Iterative consolidation paper, sections IV-B and IV-D: which data points are outliers, which up-sampled
-/// points are new, and which of them are taken back at the end.
-
-struct Outlier_parameters {
-  double support_radius = 1;        ///< h
-  /// Data farther from the up-sampled surface are outliers, in units of h. Printed: 1, which keeps clusters.
-  double far_distance = 0.35;
-  /// Data off the tangent planes of the nearest up-sampled points by more than `near_distance` h and by
-  /// more than `near_factor` times the median of their neighbours. h is larger than usual noise, so the
-  /// printed rule alone finds none of it; the local median keeps detail that the particles do not resolve.
-  bool removes_near = true;
-  double near_distance = 0.05;
-  double near_factor = 3;
-  /// Flagged points closer than h are kept if they are a smaller share of the data: a clean scan has about
-  /// 0.2 % of points in crevices and on tips that the particles do not resolve.
-  double least_share = 0.005;
-};
-
-/// One flag per data point. `surface`: the up-sampled points.
-inline std::vector<char> outlier_points(const Execution& execution, const Points& data,
-                                        const Nearest_table& nearest, const Points& surface,
-                                        const Points& surface_normals,
-                                        const Outlier_parameters& parameters)
-{
-  std::vector<char> is_outlier(data.size(), 0), is_beyond(data.size(), 0);
-  if(surface.empty())
-    return is_outlier;
-  constexpr std::size_t planes = 6;
-  const double h = parameters.support_radius;
-  const Nearest_neighbors tree(surface);
-  std::vector<double> distance(data.size());  // from the tangent planes
-  parallel_for(execution, data.size(), [&](std::size_t i) {
-    std::vector<Neighbor> found;
-    tree.find(data[i], planes, found);
-    for(const Neighbor& u : found)
-      distance[i] += std::abs(surface_normals[u.index].dot(data[i] - surface[u.index]));
-    distance[i] /= double(found.size());
-    const double far = parameters.far_distance * h;
-    is_outlier[i] = found.front().squared_distance > far * far;
-    is_beyond[i] = found.front().squared_distance > (std::max)(far, h) * (std::max)(far, h);
-  });
-  parallel_for(execution, data.size(), [&](std::size_t i) {
-    if(!parameters.removes_near || distance[i] <= parameters.near_distance * h)
-      return;
-    std::vector<double> around;
-    for(std::size_t k = 0; k < nearest.k; ++k)
-      around.push_back(distance[nearest.row(i)[k]]);
-    if(distance[i] > parameters.near_factor * median(std::move(around)))
-      is_outlier[i] = 1;
-  });
-  const std::size_t flagged =
-    std::size_t(std::count(is_outlier.begin(), is_outlier.end(), char(1)));
-  return double(flagged) < parameters.least_share * double(data.size()) ? is_beyond : is_outlier;
-}
+/// Iterative consolidation paper, section IV-D: which up-sampled points are new, and which of them are
+/// taken back at the end.
 
 /// L_pnt: the mean distance of points to the nearest other one.
 inline double nearest_distance(const Execution& execution, const Points& points,

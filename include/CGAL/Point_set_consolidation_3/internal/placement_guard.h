@@ -31,10 +31,14 @@ struct Guard_parameters {
   double largest_elevation = 0.75;
   /// A region of completed points is taken back as a whole if it rises higher than this anywhere, ...
   double largest_region_elevation = 0.6;
-  /// ... if its normals differ more from the data's along its rim (mean cosine): it bends off instead of
-  /// going on, ...
+  /// ... or if its normals differ more from the data's along its rim (mean cosine): it bends off instead of
+  /// going on.
   double least_rim_cosine = 0.95;
-  /// ... or if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
+  /// Regions that reach no farther from the data are bounded all around by near data: any elevation is
+  /// possible there, and normals may differ by this mean cosine.
+  double small_reach = 1;
+  double least_small_rim_cosine = 0.7;
+  /// A region is also taken back if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
   double least_reach = 0.45;
   /// Share of all added points that must pass, else all are taken back: where most extensions fail, gaps are
   /// occlusions rather than holes, and the regions that pass are not better founded.
@@ -122,10 +126,13 @@ public:
     }
     for(std::size_t i = 0; i < points.size(); ++i) {
       const Region& region = regions[label[i]];
+      const bool is_small = region.reach <= m_parameters.small_reach * m_h;
+      const double least_cosine =
+        is_small ? m_parameters.least_small_rim_cosine : m_parameters.least_rim_cosine;
       is_doubtful[i] =
-        region.elevation > m_parameters.largest_region_elevation ||
+        (!is_small && region.elevation > m_parameters.largest_region_elevation) ||
         region.reach < m_parameters.least_reach * m_h ||
-        region.cosine < m_parameters.least_rim_cosine * double(region.rim_points);
+        region.cosine < least_cosine * double(region.rim_points);
     }
     const std::size_t accepted =
       std::size_t(std::count(is_doubtful.begin(), is_doubtful.end(), char(0)));

@@ -74,7 +74,7 @@ public:
     for(std::size_t step = 0; step < m_parameters.steps; ++step) {
       const Sorted_grid grid(particles, m_kernel.reach);
       const std::vector<double> densities =
-        wlop_densities(m_execution, grid, particles, m_kernel);
+        particle_densities(m_execution, grid, particles, moving, m_kernel);
       Points next(moving.size()), next_normals(moving.size());
       parallel_for(m_execution, moving.size(), [&](std::size_t k) {
         const std::size_t i = moving[k];

@@ -57,18 +57,42 @@ struct Isotropic_weights {
 };
 
 /// 1 + sum of theta over all others: the densities v_j of the data and w_q of the particles.
+inline double wlop_density(const Sorted_grid& grid, const Vec3& point, const Wlop_kernel& kernel)
+{
+  double sum = 0;  // the point itself is found with theta = 1
+  grid.for_each_neighbor_block(point, kernel.reach, [&](const Neighbor_block& block) {
+    Block_weights theta;
+    kernel.theta(block, theta);
+    sum += theta.column(block.size).sum();
+  });
+  return (std::max)(1., sum);
+}
+
 inline std::vector<double> wlop_densities(const Execution& execution, const Sorted_grid& grid,
                                           const Points& points, const Wlop_kernel& kernel)
 {
   std::vector<double> densities(points.size());
   parallel_for(execution, points.size(), [&](std::size_t i) {
-    double sum = 0;  // the point itself is found with theta = 1
-    grid.for_each_neighbor_block(points[i], kernel.reach, [&](const Neighbor_block& block) {
-      Block_weights theta;
-      kernel.theta(block, theta);
-      sum += theta.column(block.size).sum();
+    densities[i] = wlop_density(grid, points[i], kernel);
+  });
+  return densities;
+}
+
+/// The same for points within `reach` of `places`; others get 1 and must not be used.
+inline std::vector<double> wlop_densities_near(const Execution& execution, const Sorted_grid& grid,
+                                               const Points& points, const Wlop_kernel& kernel,
+                                               const Points& places, double reach)
+{
+  const Sorted_grid place_grid(places, reach);
+  std::vector<double> densities(points.size(), 1.);
+  parallel_for(execution, points.size(), [&](std::size_t i) {
+    bool is_used = false;
+    place_grid.for_each_neighbor(points[i], reach, [&](Index, double) {
+      is_used = true;
+      return false;
     });
-    densities[i] = (std::max)(1., sum);
+    if(is_used)
+      densities[i] = wlop_density(grid, points[i], kernel);
   });
   return densities;
 }
@@ -92,6 +116,20 @@ Vec3 wlop_repulsion(const Sorted_grid& grid, const std::vector<double>& densitie
     sum -= Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
   });
   return total > 0 ? Vec3(sum / total) : Vec3(Vec3::Zero());
+}
+
+/// Of all particles that the moving ones see.
+inline std::vector<double> particle_densities(const Execution& execution, const Sorted_grid& grid,
+                                              const Points& particles,
+                                              const std::vector<std::size_t>& moving,
+                                              const Wlop_kernel& kernel)
+{
+  if(moving.size() > particles.size() / 2)
+    return wlop_densities(execution, grid, particles, kernel);
+  Points places;
+  for(const std::size_t i : moving)
+    places.push_back(particles[i]);
+  return wlop_densities_near(execution, grid, particles, kernel, places, kernel.reach);
 }
 
 /// The data as the projection sees them: positions, their grid and their densities v_j.
@@ -131,7 +169,7 @@ private:
   {
     const Sorted_grid grid(particles, m_kernel.reach);
     const std::vector<double> densities =
-      wlop_densities(m_execution, grid, particles, m_kernel);
+      particle_densities(m_execution, grid, particles, moving, m_kernel);
     Points next(moving.size());
     parallel_for(m_execution, moving.size(), [&](std::size_t k) {
       const std::size_t i = moving[k];

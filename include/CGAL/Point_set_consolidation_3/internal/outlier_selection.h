@@ -1,0 +1,267 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
+
+#include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+
+#include <Eigen/Cholesky>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Iterative consolidation paper, section IV-B, end: which data points are outliers. The paper's rule, the distance
+/// from the up-sampled surface, finds far ones; for those closer than h the data's own surface is the reference.
+
+struct Outlier_parameters {
+  double support_radius = 1;        ///< h
+  /// Data farther from the up-sampled surface are outliers, in units of h. Printed: 1, which keeps clusters.
+  double far_distance = 0.35;
+  /// h is larger than usual noise, so the printed rule alone finds none of it. Outliers are as well data off the
+  /// quadrics that the data around themselves and around their feet on the particles' surface follow by more
+  /// than `near_distance` h and `near_factor` times the median residual, if they are sparser than the data
+  /// around: points of sharp details are off these quadrics, but no sparser.
+  bool removes_near = true;
+  double near_distance = 0.07;
+  double near_factor = 3;
+  double near_sparsity = 1.2;       ///< distance of the neighbours by the median of that around
+  /// Flagged points closer than h are kept if they are a smaller share of the data: a clean scan has about
+  /// 0.2 % of points in crevices and on tips that the particles do not resolve.
+  double least_share = 0.005;
+};
+
+/// Heights over a tangent plane as a quadric of the plane's coordinates, fitted to neighbours of which many may
+/// be outliers: iteratively reweighted least squares with Cauchy weights. The particles' surface, which is coarser
+/// than the data, gives plane and first weights only.
+class Robust_height {
+  static constexpr std::size_t iterations = 6;
+  static constexpr std::size_t coefficients = 6;
+  typedef Eigen::Matrix<double, coefficients, 1> Vector6;
+  typedef Eigen::Matrix<double, coefficients, coefficients> Matrix6;
+
+public:
+  /// Offsets are relative to the origin of the plane.
+  Robust_height(const Vec3& normal, std::size_t capacity) : m_normal(normal)
+  {
+    Vec3::Index smallest;
+    normal.cwiseAbs().minCoeff(&smallest);
+    m_u = normalized_or(normal.cross(Vec3(Vec3::Unit(smallest))), Vec3::UnitX());
+    m_v = normal.cross(m_u);
+    m_offsets.reserve(capacity);
+    m_first_distances.reserve(capacity);
+  }
+
+  /// `distance`: of the neighbour from the particles' surface.
+  void add(const Vec3& offset, double distance)
+  {
+    m_offsets.push_back(offset);
+    m_first_distances.push_back(distance);
+  }
+
+  /// False if there are too few neighbours. `least_scale` bounds the residuals' scale from below.
+  bool fit(double least_scale)
+  {
+    const std::size_t n = m_offsets.size();
+    if(n < 2 * coefficients)
+      return false;
+    m_unit = 0;
+    for(const Vec3& d : m_offsets)
+      m_unit = (std::max)(m_unit, std::hypot(m_u.dot(d), m_v.dot(d)));
+    if(!(m_unit > 0))
+      return false;
+    std::vector<Vector6> rows(n);
+    std::vector<double> heights(n);
+    for(std::size_t k = 0; k < n; ++k) {
+      rows[k] = row(m_offsets[k]);
+      heights[k] = m_normal.dot(m_offsets[k]);
+    }
+    m_residuals = m_first_distances;
+    for(std::size_t t = 0; t < iterations; ++t) {
+      const double scale = (std::max)(least_scale, 1.5 * median(m_residuals));
+      Matrix6 A = Matrix6::Zero();
+      Vector6 b = Vector6::Zero();
+      for(std::size_t k = 0; k < n; ++k) {
+        const double r = m_residuals[k] / scale, weight = 1 / ((1 + r * r) * (1 + r * r));
+        A += weight * rows[k] * rows[k].transpose();
+        b += weight * heights[k] * rows[k];
+      }
+      A.diagonal().array() += 1e-6 * A(0, 0);
+      m_c = A.ldlt().solve(b);
+      if(!m_c.allFinite())
+        return false;
+      for(std::size_t k = 0; k < n; ++k)
+        m_residuals[k] = std::abs(heights[k] - rows[k].dot(m_c));
+    }
+    return true;
+  }
+
+  double median_residual() const { return median(m_residuals); }
+
+  /// Distance from the quadric, to first order.
+  double distance(const Vec3& offset) const
+  {
+    const double slope = std::hypot(m_c[1], m_c[2]) / m_unit;
+    return std::abs(m_normal.dot(offset) - row(offset).dot(m_c)) / std::sqrt(1 + slope * slope);
+  }
+
+private:
+  Vector6 row(const Vec3& d) const
+  {
+    const double x = m_u.dot(d) / m_unit, y = m_v.dot(d) / m_unit;
+    Vector6 r;
+    r << 1, x, y, x * x, x * y, y * y;
+    return r;
+  }
+
+  Vec3 m_normal, m_u, m_v;
+  std::vector<Vec3> m_offsets;
+  std::vector<double> m_first_distances, m_residuals;
+  double m_unit = 1;
+  Vector6 m_c = Vector6::Zero();
+};
+
+/// Those of `is_far`, and data off the surface of the data that `is_left_out` does not flag. `feet` and `normals` are
+/// those of the data on the particles' surface, `distance` their distances from it.
+inline std::vector<char> near_outliers(const Execution& execution, const Points& data, const Points& feet,
+                                       const Points& normals, const std::vector<double>& distance,
+                                       const std::vector<char>& is_far, const std::vector<char>& is_left_out,
+                                       const Outlier_parameters& parameters)
+{
+  constexpr std::size_t fitted_neighbors = 24, sparsity_neighbors = 6;
+  constexpr double suspicious = 0.5;    // of the limit: the particles' surface misses details by as much
+  constexpr double least_scale = 0.25;  // of the limit: smaller residuals all have full weight
+  const double limit = parameters.near_distance * parameters.support_radius;
+  std::vector<std::size_t> kept;
+  Points points;
+  for(std::size_t i = 0; i < data.size(); ++i)
+    if(!is_left_out[i]) {
+      kept.push_back(i);
+      points.push_back(data[i]);
+    }
+  std::vector<char> is_outlier = is_far;
+  if(kept.size() <= fitted_neighbors)
+    return is_outlier;
+  const Nearest_neighbors tree(points);
+  const auto neighbors_of = [&](std::size_t i, const Vec3& place, std::size_t k) {
+    std::vector<Neighbor> found;
+    tree.find(place, k + 1, found);
+    const auto self = std::find_if(found.begin(), found.end(),
+                                   [&](const Neighbor& n) { return kept[n.index] == i; });
+    found.erase(self == found.end() ? found.end() - 1 : self);
+    return found;
+  };
+  std::vector<double> sparsity(data.size(), 0.);
+  parallel_for(execution, data.size(), [&](std::size_t i) {
+    for(const Neighbor& neighbor : neighbors_of(i, data[i], sparsity_neighbors))
+      sparsity[i] += std::sqrt(neighbor.squared_distance);
+  });
+  const auto is_off = [&](std::size_t i, const Vec3& place, double least_sparsity) {
+    const std::vector<Neighbor> found = neighbors_of(i, place, fitted_neighbors);
+    Robust_height quadric(normals[i], found.size());
+    std::vector<double> sparsities;
+    for(const Neighbor& neighbor : found) {
+      quadric.add(points[neighbor.index] - feet[i], distance[kept[neighbor.index]]);
+      sparsities.push_back(sparsity[kept[neighbor.index]]);
+    }
+    if(sparsity[i] <= least_sparsity * median(std::move(sparsities)) || !quadric.fit(least_scale * limit))
+      return false;
+    const double off = quadric.distance(data[i] - feet[i]);
+    return off > limit && off > parameters.near_factor * quadric.median_residual();
+  };
+  parallel_for(execution, data.size(), [&](std::size_t i) {
+    if(!is_outlier[i] && distance[i] > suspicious * limit)
+      is_outlier[i] = is_off(i, feet[i], parameters.near_sparsity) && is_off(i, data[i], 0);
+  });
+  return is_outlier;
+}
+
+/// One flag per data point. `surface`: the up-sampled points.
+inline std::vector<char> outlier_points(const Execution& execution, const Points& data,
+                                        const Points& surface, const Points& surface_normals,
+                                        const Outlier_parameters& parameters)
+{
+  std::vector<char> is_outlier(data.size(), 0), is_beyond(data.size(), 0);
+  if(surface.empty())
+    return is_outlier;
+  constexpr std::size_t planes = 6;
+  const double h = parameters.support_radius;
+  const Nearest_neighbors tree(surface);
+  std::vector<double> distance(data.size());  // mean, from the tangent planes
+  Points feet = data, normals(data.size());   // on the particles' surface
+  parallel_for(execution, data.size(), [&](std::size_t i) {
+    std::vector<Neighbor> found;
+    tree.find(data[i], planes, found);
+    const Vec3& side = surface_normals[found.front().index];
+    Vec3 normal = Vec3::Zero();
+    double height = 0;
+    for(const Neighbor& u : found) {
+      const Vec3& n = surface_normals[u.index];
+      const double d = n.dot(data[i] - surface[u.index]);
+      distance[i] += std::abs(d) / double(found.size());
+      const double sign = n.dot(side) < 0 ? -1 : 1;
+      height += sign * d / double(found.size());
+      normal += sign * n;
+    }
+    normals[i] = normalized_or(normal, side);
+    feet[i] -= height * normals[i];
+    const double far = parameters.far_distance * h;
+    is_outlier[i] = found.front().squared_distance > far * far;
+    is_beyond[i] = found.front().squared_distance > (std::max)(far, h) * (std::max)(far, h);
+  });
+
+  if(parameters.removes_near) {
+    // the second time without those found the first time, which hide others and spoil the fits
+    const std::vector<char> is_far = is_outlier;
+    for(int pass = 0; pass < 2; ++pass)
+      is_outlier = near_outliers(execution, data, feet, normals, distance, is_far, is_outlier, parameters);
+  }
+  const std::size_t flagged =
+    std::size_t(std::count(is_outlier.begin(), is_outlier.end(), char(1)));
+  return double(flagged) < parameters.least_share * double(data.size()) ? is_beyond : is_outlier;
+}
+
+/// The table of the points that remain, `original` in increasing order; rows that have lost neighbours are
+/// searched anew.
+inline Nearest_table restricted_table(const Execution& execution, const Nearest_table& all,
+                                      const Points& points, const std::vector<Index>& original)
+{
+  constexpr Index none = (std::numeric_limits<Index>::max)();
+  std::vector<Index> place(all.k == 0 ? 0 : all.size(), none);
+  for(std::size_t i = 0; i < original.size() && !place.empty(); ++i)
+    place[original[i]] = Index(i);
+  Nearest_table table;
+  table.k = (std::min)(all.k, points.empty() ? 0 : points.size() - 1);
+  table.neighbors.resize(points.size() * table.k);
+  const Nearest_neighbors tree(points);
+  parallel_for(execution, points.size(), [&](std::size_t i) {
+    const Index* old = all.row(original[i]);
+    Index* row = table.neighbors.data() + i * table.k;
+    std::size_t count = 0;
+    for(std::size_t k = 0; k < all.k; ++k)
+      if(place[old[k]] != none && count < table.k)
+        row[count++] = place[old[k]];
+    if(count == table.k)
+      return;
+    std::vector<Neighbor> found;
+    tree.find(points[i], table.k + 1, found);
+    count = 0;
+    for(const Neighbor& neighbor : found)
+      if(neighbor.index != i && count < table.k)
+        row[count++] = neighbor.index;
+    while(count < table.k)
+      row[count++] = Index(i);
+  });
+  return table;
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
