@@ -3,7 +3,6 @@
 
 #include "speed_kernel.h"
 
-#include <CGAL/Deep_points_consolidation_3.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/anisotropic_edge_aware_upsample_point_set.h>
 #include <CGAL/anisotropic_wlop_simplify_and_regularize_point_set.h>
@@ -81,39 +80,6 @@ std::size_t particles(const Speed_input& input)
   return static_cast<std::size_t>(particle_share * static_cast<double>(input.points.size()));
 }
 
-enum class Deep_stage { input, sinking, skeleton, surface, completion };
-
-const std::vector<std::pair<const char*, Deep_stage>> deep_points_stages = {
-  {"input stage", Deep_stage::input},
-  {"sinking", Deep_stage::sinking},
-  {"meso-skeleton", Deep_stage::skeleton},
-  {"surface stage", Deep_stage::surface},
-  {"missing parts", Deep_stage::completion}};
-
-/// A stage alone, after those that it needs; the peak of memory is that of all of them.
-template <typename Tag>
-void time_stage(Deep_stage stage, const Speed_input& input, Stopwatch& watch)
-{
-  const Scan_maps scan(input);
-  CGAL::Deep_points_consolidation_3<Kernel, Tag> consolidation(
-      scan.indices, scan.named().number_of_output_points(particles(input)));
-  if(stage != Deep_stage::input)
-    consolidation.consolidate_input();
-  if(stage == Deep_stage::skeleton || stage == Deep_stage::surface || stage == Deep_stage::completion)
-    consolidation.sink_inner_points();
-  if(stage == Deep_stage::surface)
-    consolidation.form_meso_skeleton();
-  watch.start();
-  switch(stage) {
-    case Deep_stage::input: consolidation.consolidate_input(); break;
-    case Deep_stage::sinking: consolidation.sink_inner_points(); break;
-    case Deep_stage::skeleton: consolidation.form_meso_skeleton(); break;
-    case Deep_stage::surface: consolidation.consolidate_outer_points(); break;
-    case Deep_stage::completion: consolidation.complete_missing_parts(); break;
-  }
-  watch.stop();
-}
-
 }  // namespace
 
 /// Add an operator by one entry: name, operator of CGAL to compare with, largest number of points, call.
@@ -154,11 +120,6 @@ std::vector<Speed_operator> package_operators()
                      scan.named().number_of_output_points(particles(input)));
                  watch.stop();
                });
-  for(const auto& stage : deep_points_stages)
-    add_operator(list, std::string("deep points, ") + stage.first, "CGAL WLOP", any_size,
-                 [which = stage.second](auto tag, const Speed_input& input, Stopwatch& watch) {
-                   time_stage<decltype(tag)>(which, input, watch);
-                 });
   add_operator(list, "completion", "CGAL WLOP", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const Scan_maps scan(input);
