@@ -230,6 +230,8 @@ void run(int argc, char** argv)
     std::fprintf(stderr, "%zu points -> %zu consolidated, %zu completed, %.1f s%s\n", cloud.size(),
                  result.consolidated.size(), result.completed_points, seconds,
                  mesh.empty() ? "" : "; meshed");
+  support::report_files(o.quiet, {o.output, o.completed, o.inner, o.deep_points, o.mesh, o.picture,
+                                  o.json});
 }
 
 }  // namespace

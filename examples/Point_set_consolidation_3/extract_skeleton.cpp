@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "json.h"
+#include "picture.h"
 #include "point_file.h"
 
 #include <CGAL/extract_l1_medial_skeleton.h>
@@ -29,10 +30,10 @@ using Vector = Kernel::Vector_3;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 using Oriented_point = std::pair<Point, Vector>;
-using Stage_times = std::vector<CGAL::Point_set_consolidation_3::internal::Stage_time>;
+using Stage_times = std::vector<CGAL::Point_set_consolidation_3::Stage_time>;
 
 struct Options {
-  std::string input, output, method = "laplacian", edits, json;
+  std::string input, output, method = "laplacian", edits, json, picture;
   bool quiet = false;
   std::size_t threads = 0;
   // laplacian
@@ -50,7 +51,9 @@ struct Run {
   const Options& options;
   support::Progress_bar& progress;
   Stage_times times = {};
-  std::size_t number_of_points = 0;
+  support::Point_cloud cloud = {};   // what was read: points,
+  support::Triangle_mesh mesh = {};  // or a soup of polygons
+  std::size_t number_of_points() const { return cloud.size() + mesh.vertices.size(); }
 };
 
 Point to_point(const support::Vec3& p) { return Point(p.x(), p.y(), p.z()); }
@@ -88,15 +91,14 @@ Skeleton laplacian(Run& run)
   };
 
   if(options.is_surface) {
-    const support::Triangle_mesh mesh = support::read_mesh(options.input);
+    run.mesh = support::read_mesh(options.input);
     std::vector<Point> points;
-    for(const support::Vec3& p : mesh.vertices)
+    for(const support::Vec3& p : run.mesh.vertices)
       points.push_back(to_point(p));
-    run.number_of_points = points.size();
-    return extract(params::random_seed(std::uint64_t(0)), points, mesh.faces);
+    return extract(params::random_seed(std::uint64_t(0)), points, run.mesh.faces);
   }
-  const support::Point_cloud cloud = support::read_point_cloud(options.input);
-  run.number_of_points = cloud.size();
+  run.cloud = support::read_point_cloud(options.input);
+  const support::Point_cloud& cloud = run.cloud;
   std::vector<Oriented_point> points;
   for(std::size_t i = 0; i < cloud.size(); ++i) {
     const bool has_normal = !cloud.normals.empty();
@@ -112,10 +114,9 @@ Skeleton laplacian(Run& run)
 Skeleton l1_medial(Run& run)
 {
   const Options& options = run.options;
-  const support::Point_cloud cloud = support::read_point_cloud(options.input);
-  run.number_of_points = cloud.size();
+  run.cloud = support::read_point_cloud(options.input);
   std::vector<Point> points;
-  for(const support::Vec3& p : cloud.points)
+  for(const support::Vec3& p : run.cloud.points)
     points.push_back(to_point(p));
   Skeleton skeleton;
   CGAL::extract_l1_medial_skeleton<Concurrency_tag>(
@@ -151,6 +152,7 @@ bool parse(Options& options, int argc, char** argv)
               "edits of the skeleton, a line each: move V X Y Z, add X Y Z [R], connect V W, "
               "disconnect V W, remove V, delete_branch V, delete_cycle V, collapse_cycle V, prune LENGTH, "
               "extend_tips, radius V R, scale_radii F, interpolate [V W], bridge LENGTH");
+  line.option("--picture", "FILE", options.picture, "input and skeleton, side by side (.png)");
   line.option("--json", "FILE", options.json, "report: counts, seconds and iterations of each stage");
   line.option("--threads", "N", options.threads, "number of threads").default_is("all");
   line.flag("-q,--quiet", options.quiet, "no progress bar");
@@ -225,7 +227,7 @@ void report(const Run& run, const Skeleton& skeleton)
   }
   support::Json json;
   json["method"] = run.options.method;
-  json["points"] = run.number_of_points;
+  json["points"] = run.number_of_points();
   json["vertices"] = num_vertices(skeleton);
   json["edges"] = num_edges(skeleton);
   json["components"] = CGAL::number_of_skeleton_components(skeleton);
@@ -237,6 +239,19 @@ void report(const Run& run, const Skeleton& skeleton)
     json["stages"][stage.name]["iterations"] = stage.iterations;
   }
   support::write_json(run.options.json, json);
+}
+
+void write_picture(const Run& run, const Skeleton& skeleton)
+{
+  std::vector<support::Panel> panels(2);
+  panels[0].title = "input";
+  panels[0].cloud.points = run.cloud.points;
+  panels[0].cloud.normals = run.cloud.normals;
+  panels[0].mesh = run.mesh;
+  panels[1] = panels[0];
+  panels[1].title = "skeleton";
+  panels[1].graph = to_segment_graph(skeleton);
+  support::write_panels(run.options.picture, panels);
 }
 
 void apply_edits(const Options& options, Skeleton& skeleton)
@@ -276,7 +291,10 @@ int main(int argc, char** argv)
     if(!options.edits.empty())
       apply_edits(options, skeleton);
     write(options, skeleton);
+    if(!options.picture.empty())
+      write_picture(run, skeleton);
     if(!options.json.empty())
       report(run, skeleton);
+    support::report_files(options.quiet, {options.output, options.picture, options.json});
   });
 }

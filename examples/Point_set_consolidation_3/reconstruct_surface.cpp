@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "json.h"
+#include "picture.h"
 #include "point_file.h"
 #include "poisson_mesh.h"
 
@@ -27,10 +28,10 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
-using Stage_times = std::vector<CGAL::Point_set_consolidation_3::internal::Stage_time>;
+using Stage_times = std::vector<CGAL::Point_set_consolidation_3::Stage_time>;
 
 struct Options {
-  std::string input, output, method = "poisson", skeleton, json;
+  std::string input, output, method = "poisson", skeleton, json, picture;
   bool quiet = false;
   std::size_t threads = 0;
   // poisson
@@ -51,13 +52,13 @@ struct Run {
   const Options& options;
   support::Progress_bar& progress;
   Stage_times times = {};
-  std::size_t number_of_points = 0;
+  support::Point_cloud cloud = {};
 };
 
 support::Triangle_mesh poisson(Run& run)
 {
-  const support::Point_cloud cloud = support::read_point_cloud(run.options.input);
-  run.number_of_points = cloud.size();
+  run.cloud = support::read_point_cloud(run.options.input);
+  const support::Point_cloud& cloud = run.cloud;
   if(cloud.normals.empty())
     throw support::File_error(run.options.input + ": method poisson needs normals");
   return support::poisson_mesh(cloud.points, cloud.normals, run.options.poisson);
@@ -85,8 +86,8 @@ support::Triangle_mesh skeleton_driven(Run& run)
   const Options& options = run.options;
   if(options.skeleton.empty())
     throw support::Usage_error("method skeleton-driven needs --skeleton");
-  const support::Point_cloud cloud = support::read_point_cloud(options.input);
-  run.number_of_points = cloud.size();
+  run.cloud = support::read_point_cloud(options.input);
+  const support::Point_cloud& cloud = run.cloud;
   std::vector<Point> points;
   for(const support::Vec3& p : cloud.points)
     points.emplace_back(p.x(), p.y(), p.z());
@@ -140,8 +141,8 @@ support::Triangle_mesh feature_enhanced(Run& run)
 {
   typedef std::pair<Point, Kernel::Vector_3> Oriented_point;
   const Options& options = run.options;
-  const support::Point_cloud cloud = support::read_point_cloud(options.input);
-  run.number_of_points = cloud.size();
+  run.cloud = support::read_point_cloud(options.input);
+  const support::Point_cloud& cloud = run.cloud;
   std::vector<Oriented_point> points;
   for(std::size_t i = 0; i < cloud.size(); ++i) {
     const support::Vec3 p = cloud.points[i];
@@ -194,6 +195,7 @@ bool parse(Options& options, int argc, char** argv)
   for(const auto& method : methods)
     names.push_back(method.first);
   line.option("--method", "NAME", options.method, "how the surface is found").one_of(names);
+  line.option("--picture", "FILE", options.picture, "input and surface, side by side (.png)");
   line.option("--json", "FILE", options.json, "report: counts, seconds of each stage");
   line.option("--threads", "N", options.threads, "number of threads").default_is("all");
   line.flag("-q,--quiet", options.quiet, "no progress bar");
@@ -239,7 +241,7 @@ void report(const Run& run, const support::Triangle_mesh& mesh)
 {
   support::Json json;
   json["method"] = run.options.method;
-  json["points"] = run.number_of_points;
+  json["points"] = run.cloud.size();
   json["vertices"] = mesh.vertices.size();
   json["faces"] = mesh.faces.size();
   for(const auto& stage : run.times) {
@@ -247,6 +249,19 @@ void report(const Run& run, const support::Triangle_mesh& mesh)
     json["stages"][stage.name]["iterations"] = stage.iterations;
   }
   support::write_json(run.options.json, json);
+}
+
+void write_picture(const Run& run, const support::Triangle_mesh& mesh)
+{
+  std::vector<support::Panel> panels(2);
+  panels[0].title = "input";
+  panels[0].cloud.points = run.cloud.points;
+  panels[0].cloud.normals = run.cloud.normals;
+  if(!run.options.skeleton.empty())
+    panels[0].graph = support::read_segment_graph(run.options.skeleton);
+  panels[1].title = run.options.method;
+  panels[1].mesh = mesh;
+  support::write_panels(run.options.picture, panels);
 }
 
 }  // namespace
@@ -263,7 +278,10 @@ int main(int argc, char** argv)
     Run run{options, progress};
     const support::Triangle_mesh mesh = methods.at(options.method)(run);
     support::write_mesh(options.output, mesh);
+    if(!options.picture.empty())
+      write_picture(run, mesh);
     if(!options.json.empty())
       report(run, mesh);
+    support::report_files(options.quiet, {options.output, options.picture, options.json});
   });
 }

@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "file_bytes.h"
 #include "json.h"
+#include "picture.h"
 #include "point_file.h"
 
 #include <CGAL/density_peak_segment_point_set.h>
@@ -11,7 +12,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -26,7 +26,7 @@ using CGAL::Point_set_consolidation_3::Segmentation_method;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Element = std::tuple<Kernel::Point_3, Kernel::Vector_3, int>;
-using Stage_times = std::vector<CGAL::Point_set_consolidation_3::internal::Stage_time>;
+using Stage_times = std::vector<CGAL::Point_set_consolidation_3::Stage_time>;
 
 const std::map<std::string, Segmentation_method> methods = {
   {"density-peaks", Segmentation_method::DENSITY_PEAKS},
@@ -34,7 +34,7 @@ const std::map<std::string, Segmentation_method> methods = {
   {"skeleton", Segmentation_method::SKELETON}};
 
 struct Options {
-  std::string input, output, method = "skeleton", json;
+  std::string input, output, method = "skeleton", json, picture;
   bool quiet = false;
   std::size_t threads = 0, segments = 0;
   double radius = 0, prominence = 0.1, penalty = 0.4;
@@ -56,6 +56,7 @@ bool parse(Options& options, int argc, char** argv)
   line.option("--radius", "H", options.radius, "densities: support radius, in the unit of the input")
     .at_least(0).default_is("0.15 diagonals");
   line.option("--prominence", "X", options.prominence, "persistence: least height of a peak").at_least(0);
+  line.option("--picture", "FILE", options.picture, "points in the colours of their parts (.png)");
   line.option("--json", "FILE", options.json, "report: counts, seconds");
   line.option("--threads", "N", options.threads, "number of threads").default_is("all");
   line.flag("-q,--quiet", options.quiet, "no progress bar");
@@ -66,19 +67,6 @@ bool parse(Options& options, int argc, char** argv)
   if(support::extension(options.output) != ".ply")
     throw support::File_error(options.output + ": the extension is not .ply");
   return true;
-}
-
-// Hues a golden section apart: neighbours in number differ.
-std::array<int, 3> colour(int segment)
-{
-  const double hue = 6 * std::fmod(0.618033988749895 * segment + 0.05, 1.);
-  const double fade = 1 - std::abs(std::fmod(hue, 2.) - 1);
-  const double channels[6][3] = {{1, fade, 0}, {fade, 1, 0}, {0, 1, fade},
-                                 {0, fade, 1}, {fade, 0, 1}, {1, 0, fade}};
-  std::array<int, 3> result;
-  for(std::size_t k = 0; k < 3; ++k)
-    result[k] = int(40 + 200 * channels[std::size_t(hue) % 6][k]);
-  return result;
 }
 
 std::string ply(const std::vector<Element>& elements, bool has_normals)
@@ -99,8 +87,9 @@ std::string ply(const std::vector<Element>& elements, bool has_normals)
     if(has_normals)
       for(int k = 0; k < 3; ++k)
         append(std::get<1>(element)[k]);
-    for(const int channel : colour(std::get<2>(element)))
-      text += std::to_string(channel) + ' ';
+    const support::Color color = support::label_color(std::size_t(std::get<2>(element)));
+    for(const double channel : {color.red, color.green, color.blue})
+      text += std::to_string(int(std::lround(255 * channel))) + ' ';
     text += std::to_string(std::get<2>(element)) + '\n';
   }
   return text;
@@ -138,6 +127,18 @@ int main(int argc, char** argv)
           .stage_times(std::ref(times))
           .callback([&](double fraction) { return progress(fraction); }));
     support::write_file(options.output, ply(elements, has_normals));
+    if(!options.picture.empty()) {
+      std::vector<support::Panel> panels(2);
+      panels[0].title = "input";
+      panels[0].cloud.points = cloud.points;
+      panels[0].cloud.normals = cloud.normals;
+      panels[1] = panels[0];
+      panels[1].title = std::to_string(count) + " segments";
+      for(const Element& element : elements)
+        panels[1].point_colors.push_back(support::label_color(std::size_t(std::get<2>(element))));
+      support::write_panels(options.picture, panels);
+    }
+    support::report_files(options.quiet, {options.output, options.picture, options.json});
     if(options.json.empty())
       return;
     support::Json json;

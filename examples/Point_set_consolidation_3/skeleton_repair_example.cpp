@@ -3,7 +3,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/extract_laplacian_contraction_skeleton.h>
-#include <CGAL/number_type_config.h>
 #include <CGAL/skeleton_driven_surface_reconstruction.h>
 
 #include <cmath>
@@ -19,13 +18,15 @@ typedef CGAL::Curve_skeleton_3<Kernel> Skeleton;
 typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 
 namespace params = CGAL::Point_set_consolidation_3::parameters;
+
 // A ring of radius 1 and thickness 0.25 of which two parts were not scanned.
 std::vector<Point> incomplete_ring()
 {
+  const double pi = 3.14159265358979324;
   std::vector<Point> points;
   CGAL::Random random(1);
   while(points.size() < 5000) {
-    const double u = random.get_double(0, 2 * CGAL_PI), v = random.get_double(0, 2 * CGAL_PI);
+    const double u = random.get_double(0, 2 * pi), v = random.get_double(0, 2 * pi);
     const double r = 1 + 0.25 * std::cos(v);
     if(std::abs(std::sin(u)) > 0.3)
       points.emplace_back(r * std::cos(u), r * std::sin(u), 0.25 * std::sin(v));
@@ -39,7 +40,6 @@ int main()
   Skeleton skeleton;
   CGAL::extract_laplacian_contraction_skeleton<Concurrency_tag>(
     points, skeleton, params::extend_tips(false));
-  CGAL::IO::write_curve_skeleton("skeleton.ply", skeleton);
   std::cout << "skeleton: " << CGAL::number_of_skeleton_components(skeleton) << " components, "
             << CGAL::number_of_skeleton_cycles(skeleton) << " cycles\n";
 
@@ -66,7 +66,6 @@ int main()
            << "connect " << side[1] << " " << middle << "\n"
            << "interpolate " << side[0] << " " << side[1] << "\n";
   }
-  std::cout << repair.str();
   std::istringstream edits(repair.str());
   CGAL::Curve_skeleton_editing::apply_edits(skeleton, edits);
   CGAL::IO::write_curve_skeleton("repaired_skeleton.ply", skeleton);

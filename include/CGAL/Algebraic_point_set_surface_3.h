@@ -15,7 +15,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   The algebraic point set surface of oriented points \cgalCite{cgal:gg-apss-07}, as a scalar field near the
   points: for any query an algebraic sphere \f$s(y) = u_0 + (u_1, u_2, u_3) \cdot y + u_4\, y \cdot y\f$ is fitted to the
@@ -36,8 +36,11 @@ class Algebraic_point_set_surface_3 {
   /// \endcond
 
 public:
+  /// number type of the coordinates
   typedef typename Traits::FT FT;
+  /// type of points
   typedef typename Traits::Point_3 Point_3;
+  /// type of vectors
   typedef typename Traits::Vector_3 Vector_3;
 
   /// A fitted algebraic sphere in the user's coordinates: a sphere if `curvature` is not zero, else a

@@ -23,7 +23,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 The vertex property of `Curve_skeleton_3`.
 
@@ -42,7 +42,7 @@ struct Curve_skeleton_vertex_3
 };
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 A curve skeleton: a graph embedded in space, whose vertices know the radius of the shape around them and
 the input points they stand for. It is a Boost graph of the same shape as the skeleton of
@@ -105,7 +105,7 @@ void assign(Curve_skeleton_3<Kernel>& skeleton, const Skeleton_graph& graph)
 /// \endcond
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 returns the number of connected components of a skeleton.
 */
@@ -117,7 +117,7 @@ std::size_t number_of_skeleton_components(const Curve_skeleton_3<Kernel>& skelet
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 returns the number of independent cycles of a skeleton, which is the genus of the shape it describes.
 */
@@ -128,7 +128,7 @@ std::size_t number_of_skeleton_cycles(const Curve_skeleton_3<Kernel>& skeleton)
   return internal::number_of_cycles(internal::to_skeleton_graph<Kernel>(skeleton));
 }
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Skeletons
 
   Edits of curve skeletons (section V and figure 14 of \cgalCite{cgal:ctowz-pcsvl-10}). Vertices are named by their
   descriptors, which are numbers from 0. Functions that remove vertices renumber the others, in their
@@ -281,7 +281,7 @@ void apply_edits(Curve_skeleton_3<Kernel>& skeleton, std::istream& edits)
 namespace IO {
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 writes a skeleton to a stream, as an ASCII PLY file with vertices `x y z radius` and
 `element edge` with `vertex1 vertex2`. The points that the vertices stand for are not written.
@@ -297,7 +297,7 @@ bool write_curve_skeleton_PLY(std::ostream& out, const Curve_skeleton_3<Kernel>&
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 writes a skeleton to a file, as a PLY file with edges, or, if the name ends with `.polylines.txt` or `.cgal`, in
 CGAL's text format for polylines: a line for each polyline, with the number of its points and their coordinates.
@@ -322,7 +322,7 @@ bool write_curve_skeleton(const std::string& name, const Curve_skeleton_3<Kernel
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 reads a skeleton from a PLY stream, ASCII or binary, with `element vertex` (`x y z`, and `radius` if there is
 one) and `element edge` (`vertex1 vertex2`). Other elements and properties are passed over.
@@ -347,7 +347,7 @@ bool read_curve_skeleton_PLY(std::istream& in, Curve_skeleton_3<Kernel>& skeleto
 }
 
 /*!
-\ingroup PkgPointSetConsolidation3Ref
+\ingroup PkgPointSetConsolidation3Skeletons
 
 reads a skeleton from a PLY file, see `read_curve_skeleton_PLY()`.
 */

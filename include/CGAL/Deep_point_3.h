@@ -13,11 +13,11 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Completion
 
   A deep point: an outer point on the surface and an inner point on the meso-skeleton
   \cgalCite{cgal:wshcl-dpc-15}. A range of deep points goes into Poisson reconstruction and into any
-  function of \ref PkgPointSetProcessing3 through the property maps
+  function of the package Point Set Processing of %CGAL through the property maps
   `Deep_point_outer_map` and `Deep_point_normal_map`.
 
   \tparam Kernel a model of `Kernel`.
@@ -25,11 +25,16 @@ namespace CGAL {
 template <typename Kernel>
 class Deep_point_3 {
 public:
+  /// number type of the coordinates
   typedef typename Kernel::FT FT;
+  /// type of points
   typedef typename Kernel::Point_3 Point_3;
+  /// type of vectors
   typedef typename Kernel::Vector_3 Vector_3;
 
+  /// at the origin, of confidence 0
   Deep_point_3() : m_confidence(0) {}
+  /// from its parts; `normal` is of unit length
   Deep_point_3(const Point_3& outer, const Point_3& inner, const Vector_3& normal,
                const FT& confidence)
     : m_outer(outer), m_inner(inner), m_normal(normal), m_confidence(confidence)
@@ -51,7 +56,7 @@ private:
 };
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Completion
 
   A point that `complete_point_set()` adds: a deep point whose inner point is the centre of a ball inside of
   the shape, and what is known of it. It may be assigned to a
@@ -60,10 +65,14 @@ private:
 template <typename Kernel>
 class Completed_point_3 : public Deep_point_3<Kernel> {
 public:
+  /// what it is besides
   typedef Deep_point_3<Kernel> Base;
+  /// number type of the coordinates
   typedef typename Kernel::FT FT;
 
+  /// at the origin, of confidence 0
   Completed_point_3() = default;
+  /// from its parts, see the functions of the same names
   Completed_point_3(const Base& base, const FT& distance, bool is_clipped, bool is_unanchored)
     : Base(base), m_distance(distance), m_is_clipped(is_clipped), m_is_unanchored(is_unanchored)
   {}
@@ -80,27 +89,39 @@ private:
   bool m_is_clipped = false, m_is_unanchored = false;
 };
 
-/// \cond SKIP_IN_MANUAL
-#define CGAL_PSC3_DEEP_POINT_MAP(NAME, TYPE, MEMBER)                                 \
-  template <typename Kernel>                                                        \
-  struct NAME {                                                                     \
-    typedef Deep_point_3<Kernel> key_type;                                          \
-    typedef typename Kernel::TYPE value_type;                                       \
-    typedef const value_type& reference;                                            \
-    typedef boost::lvalue_property_map_tag category;                                \
-    const value_type& operator[](const key_type& p) const { return p.MEMBER(); }    \
+#ifdef DOXYGEN_RUNNING
+#define CGAL_PSC3_DEEP_POINT_MAP(NAME, TYPE, MEMBER) \
+  template <typename Kernel>                         \
+  struct NAME {};
+#else
+#define CGAL_PSC3_DEEP_POINT_MAP(NAME, TYPE, MEMBER)                                    \
+  template <typename Kernel>                                                            \
+  struct NAME {                                                                         \
+    typedef Deep_point_3<Kernel> key_type;                                              \
+    typedef typename Kernel::TYPE value_type;                                           \
+    typedef const value_type& reference;                                                \
+    typedef boost::lvalue_property_map_tag category;                                    \
+    const value_type& operator[](const key_type& p) const { return p.MEMBER(); }        \
     friend const value_type& get(const NAME&, const key_type& p) { return p.MEMBER(); } \
   };
-/// \endcond
+#endif
 
-/// \ingroup PkgPointSetConsolidation3Ref
-/// Models of `LvaluePropertyMap` (constant) from a deep point to one of its parts.
-/// @{
+/// \ingroup PkgPointSetConsolidation3Completion
+/// A model of `LvaluePropertyMap` (constant) from a `Deep_point_3<Kernel>` to its `outer()` point.
+/// \tparam Kernel a model of `Kernel`.
 CGAL_PSC3_DEEP_POINT_MAP(Deep_point_outer_map, Point_3, outer)
+/// \ingroup PkgPointSetConsolidation3Completion
+/// A model of `LvaluePropertyMap` (constant) from a `Deep_point_3<Kernel>` to its `inner()` point.
+/// \tparam Kernel a model of `Kernel`.
 CGAL_PSC3_DEEP_POINT_MAP(Deep_point_inner_map, Point_3, inner)
+/// \ingroup PkgPointSetConsolidation3Completion
+/// A model of `LvaluePropertyMap` (constant) from a `Deep_point_3<Kernel>` to its `normal()`.
+/// \tparam Kernel a model of `Kernel`.
 CGAL_PSC3_DEEP_POINT_MAP(Deep_point_normal_map, Vector_3, normal)
+/// \ingroup PkgPointSetConsolidation3Completion
+/// A model of `LvaluePropertyMap` (constant) from a `Deep_point_3<Kernel>` to its `confidence()`.
+/// \tparam Kernel a model of `Kernel`.
 CGAL_PSC3_DEEP_POINT_MAP(Deep_point_confidence_map, FT, confidence)
-/// @}
 
 #undef CGAL_PSC3_DEEP_POINT_MAP
 

@@ -23,7 +23,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Completion
 
   Deep points consolidation \cgalCite{cgal:wshcl-dpc-15} with the paper's stages as members, for
   users who want to look at, or change, what happens in between. The function
@@ -49,15 +49,19 @@ class Deep_points_consolidation_3 {
   /// \endcond
 
 public:
+  /// number type of the coordinates
   typedef typename Traits::FT FT;
+  /// type of points
   typedef typename Traits::Point_3 Point_3;
+  /// type of vectors
   typedef typename Traits::Vector_3 Vector_3;
+  /// what `deep_points()` writes
   typedef Deep_point_3<Traits> Deep_point;
 
   /// How an inner point came to rest.
-  typedef Point_set_consolidation_3::internal::Anchoring Anchoring;
+  typedef Point_set_consolidation_3::Anchoring Anchoring;
   /// Name, seconds and iterations of a stage.
-  typedef Point_set_consolidation_3::internal::Stage_time Stage_time;
+  typedef Point_set_consolidation_3::Stage_time Stage_time;
 
   /*!
     copies the points and reads the parameters.

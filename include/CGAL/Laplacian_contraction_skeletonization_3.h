@@ -16,7 +16,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Skeletons
 
   Curve skeletons of point sets by Laplacian contraction \cgalCite{cgal:ctowz-pcsvl-10}, with the paper's steps as
   members, for users who want to look at, or change, what happens in between. The function
@@ -41,11 +41,14 @@ class Laplacian_contraction_skeletonization_3 {
   /// \endcond
 
 public:
+  /// number type of the coordinates
   typedef typename Traits::FT FT;
+  /// type of points
   typedef typename Traits::Point_3 Point_3;
+  /// the graph
   typedef Curve_skeleton_3<Traits> Skeleton;
   /// Name, seconds and iterations of a stage.
-  typedef Point_set_consolidation_3::internal::Stage_time Stage_time;
+  typedef Point_set_consolidation_3::Stage_time Stage_time;
 
   /*!
     copies the points and reads the parameters.

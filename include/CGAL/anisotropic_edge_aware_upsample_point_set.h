@@ -17,7 +17,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   optimises the normals of a point set such that near a sharp edge they belong to one of the surfaces that meet
   there instead of to their mean (sections III.B and VI of the feature-enhanced surfaces paper
@@ -30,7 +30,7 @@ namespace CGAL {
   \tparam PointRange a model of `Range` whose iterator is a `ForwardIterator`.
 
   \param points at least 10 points with finite coordinates. Their normals are replaced.
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -60,7 +60,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}
@@ -121,7 +121,7 @@ bool optimize_normals_across_edges(PointRange& points, const NamedParameters& na
 }
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   adds points in the sparsest places and at sharp edges: the anisotropic edge-aware up-sampling of section III.B
   of the feature-enhanced surfaces paper \cgalCite{cgal:wfglchc-fes-18}.
@@ -143,7 +143,7 @@ bool optimize_normals_across_edges(PointRange& points, const NamedParameters& na
   \param points at least 10 points with finite coordinates and normals, best those of
   `anisotropic_wlop_simplify_and_regularize_point_set()`: normals that are smooth across edges have no edges.
   \param output receives the given points, then the new ones; nothing is written if the callback cancels.
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -195,7 +195,7 @@ bool optimize_normals_across_edges(PointRange& points, const NamedParameters& na
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}

@@ -17,7 +17,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   simplifies, regularises and denoises a point set without rounding its sharp edges: the anisotropic locally
   optimal projection of section III.A of the feature-enhanced surfaces paper \cgalCite{cgal:wfglchc-fes-18}.
@@ -38,7 +38,7 @@ namespace CGAL {
 
   \param points at least 10 points with finite coordinates.
   \param output receives points and normals; nothing is written if the callback cancels.
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -111,7 +111,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}

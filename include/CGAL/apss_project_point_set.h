@@ -54,7 +54,7 @@ inline Points to_frame(const Frame& frame, Points points)
 /// \endcond
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   projects points onto the algebraic point set surface that they define themselves
   \cgalCite{cgal:gg-apss-07}: the moving least squares surface whose primitives are spheres fitted to positions

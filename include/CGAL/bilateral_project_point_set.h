@@ -15,7 +15,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   smooths oriented points by bilateral projection \cgalCite{cgal:hwgca-eapsr-13}: each point moves along its
   normal to the weighted mean height of its neighbours, with weights that fall with distance,

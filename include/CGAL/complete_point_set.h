@@ -13,7 +13,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Completion
 
   completes a point set for meshing: writes points where data are missing, and optionally the denoised,
   oriented positions of the caller's points. Both together go into Poisson reconstruction.
@@ -38,7 +38,7 @@ namespace CGAL {
   \param points at least 10 points with finite coordinates.
   \param output receives the missing points: `outer()` on the surface, `inner()` the centre of the ball,
   `normal()` outwards, `confidence()`. Nothing is written if the callback cancels, or if nothing is missing.
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
   `view_direction_map`, `view_index_map`, `scanner_positions`, `number_of_output_points` (of the consolidated
   set), `select_percentage`, `neighbor_radius`, `number_of_iterations`, `require_uniform_sampling`,
   `collision_angle`, `smoothing_radius`, `collision_radius`, `closing_step`, `callback`, `stage_times` and

@@ -13,7 +13,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Completion
 
   consolidates and completes a point set by deep points \cgalCite{cgal:wshcl-dpc-15}: each point of the
   denoised set gets an inner point on the meso-skeleton, a mixture of curves and sheets; joint optimisation of
@@ -173,7 +173,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector<Deep_points_consolidation_3::Stage_time>`}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}

@@ -13,24 +13,10 @@
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_segmentation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
-
-/*!
-\ingroup PkgPointSetConsolidation3Ref
-
-How `density_peak_segment_point_set()` finds segments.
-*/
-enum class Segmentation_method : unsigned char {
-  /// equation (7): centres stand out by density and by distance to denser points; every point follows its
-  /// nearest denser point
-  DENSITY_PEAKS,
-  /// the same along a neighbour graph: peaks of little prominence are merged, no point leaps across a gap
-  PERSISTENCE,
-  /// chains of the curve skeleton, cut where the radius changes
-  SKELETON
-};
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
@@ -76,7 +62,7 @@ inline Segmentation segment_points(Execution& execution, double share, const Poi
 }  // namespace Point_set_consolidation_3
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Skeletons
 
   segments a point set into parts (section IV.A of the feature-enhanced surfaces paper
   \cgalCite{cgal:wfglchc-fes-18}).
@@ -97,7 +83,7 @@ inline Segmentation segment_points(Execution& execution, double share, const Poi
 
   \param points at least 4 points with finite coordinates.
   \param label_map receives the number of each point's segment.
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -145,7 +131,7 @@ inline Segmentation segment_points(Execution& execution, double share, const Poi
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}

@@ -16,7 +16,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Skeletons
 
   extracts the L1-medial curve skeleton of a point set, equation (8) of the feature-enhanced surfaces paper
   \cgalCite{cgal:wfglchc-fes-18}: as a whole, or of each segment.
@@ -35,7 +35,7 @@ namespace CGAL {
 
   \param points at least 10 points with finite coordinates.
   \param skeleton receives the skeleton; unchanged if the callback cancels.
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -97,7 +97,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}

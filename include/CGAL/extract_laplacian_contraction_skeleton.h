@@ -13,7 +13,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Skeletons
 
   extracts the curve skeleton of a point set by Laplacian contraction \cgalCite{cgal:ctowz-pcsvl-10}.
 
@@ -128,8 +128,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of
-        `Laplacian_contraction_skeletonization_3::Stage_time`}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}
@@ -159,7 +158,7 @@ bool extract_laplacian_contraction_skeleton(
 }
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Skeletons
 
   extracts the curve skeleton of a soup of polygons, by sampling it: surfaces with or without boundary, in any
   orientation. The vertices of the skeleton stand for vertices of the soup. Named parameters and errors are those

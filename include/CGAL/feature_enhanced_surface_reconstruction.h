@@ -14,26 +14,12 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/feature_preprocessing.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_completion.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
 #include <utility>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
-
-/*!
-\ingroup PkgPointSetConsolidation3Ref
-
-What the surface of a segment is made from.
-*/
-enum class Part_method : unsigned char {
-  /// as `SKELETON` if the skeleton is given and data confirm most of the segment's part of it, as `DATA` otherwise:
-  /// with centres and radii of an extracted skeleton the cylinders do more harm than good
-  AUTOMATIC,
-  /// from the data alone; the skeleton only tells inside from outside
-  DATA,
-  /// from the data, and where they are missing from generalised cylinders around the skeleton
-  SKELETON
-};
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
@@ -212,7 +198,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
 }  // namespace Point_set_consolidation_3
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Surfaces
 
   reconstructs a closed surface from a noisy, incomplete point set with the help of segments and curve
   skeletons: the whole of the feature-enhanced surfaces paper \cgalCite{cgal:wfglchc-fes-18}.
@@ -236,7 +222,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
   \param points at least 10 points with finite coordinates.
   \param skeleton the skeleton to use; if it is empty it is extracted, and receives the skeleton that was used.
   \param mesh receives the surface; unchanged if the callback cancels.
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -298,7 +284,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}
@@ -385,7 +371,7 @@ bool feature_enhanced_surface_reconstruction(
 }
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Surfaces
 
   completes a point set along a curve skeleton: writes points with normals on generalised cylinders around the
   skeleton where the point set has none. Profiles are those of the points around the vertices.
@@ -400,7 +386,7 @@ bool feature_enhanced_surface_reconstruction(
   \param skeleton a skeleton with radii whose vertices know their points.
   \param output receives the missing points.
   \param trusts_all whether all vertices count, for skeletons edited by hand.
-  \param np an optional sequence of named parameters: `point_map`, `normal_map` (outward; without it normals are
+  \param named_parameters an optional sequence of named parameters: `point_map`, `normal_map` (outward; without it normals are
   estimated), `geom_traits`.
 
   \return `output` past the last point.

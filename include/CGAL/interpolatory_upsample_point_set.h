@@ -17,7 +17,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   inserts points into oriented points by interpolatory refinement, section IV-D of
   \cgalCite{cgal:lcw-icupc-12} after \cgalCite{cgal:gbp-irrtpg-05}: a \f$\sqrt{3}\f$-like subdivision without

@@ -24,7 +24,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Completion
 
   completes large smooth holes of a point set and removes its outliers by the iterative consolidation of
   \cgalCite{cgal:lcw-icupc-12}: particles sampled from the points are evened out (WLOP, `wlop_project_point_set()`)
@@ -202,7 +202,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector<Deep_points_consolidation_3::Stage_time>`}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{callback}

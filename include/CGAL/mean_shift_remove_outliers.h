@@ -14,7 +14,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   removes outliers by the mean shift, section IV-B and algorithm 2 of \cgalCite{cgal:lcw-icupc-12}: each point is
   moved \f$b\f$ times to the mean of its \f$k\f$ nearest points; it is an outlier if it ends farther than

@@ -15,7 +15,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   spreads oriented particles along the algebraic point set surface that they define, section IV-C of
   \cgalCite{cgal:lcw-icupc-12}: particles repel each other, equations (1) and (2), slide along fitted spheres, (3) to

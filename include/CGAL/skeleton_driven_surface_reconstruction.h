@@ -21,7 +21,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Surfaces
 
   reconstructs a closed surface from a point set and a curve skeleton of its shape, section V of
   \cgalCite{cgal:ctowz-pcsvl-10}.
@@ -102,7 +102,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{stage_times}
       \cgalParamDescription{receives name, seconds and iterations of each stage}
-      \cgalParamType{`std::reference_wrapper` of a `std::vector` of stage times}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{geom_traits}

@@ -15,7 +15,7 @@
 namespace CGAL {
 
 /*!
-  \ingroup PkgPointSetConsolidation3Ref
+  \ingroup PkgPointSetConsolidation3Operators
 
   projects particles onto a noisy, unevenly spread point set by the weighted locally optimal projection
   (WLOP) \cgalCite{cgal:hlzac-cupcsr-09}, as printed in appendix I, equation (7), of

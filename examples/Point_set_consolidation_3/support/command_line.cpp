@@ -315,6 +315,18 @@ int run_program(const std::string& name, const std::function<void()>& body) noex
 
 // ---- progress ----
 
+void report_files(bool is_quiet, const std::vector<std::string>& files)
+{
+  if(is_quiet)
+    return;
+  std::string line;
+  for(const std::string& file : files)
+    if(!file.empty())
+      line += (line.empty() ? "wrote " : ", ") + file;
+  if(!line.empty())
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
 Progress_bar::Progress_bar(const std::string& label, bool is_quiet)
   : m_label(label), m_is_shown(!is_quiet && ::isatty(STDERR_FILENO))
 {}

@@ -173,6 +173,9 @@ private:
 /// anything else that was thrown.
 int run_program(const std::string& name, const std::function<void()>& body) noexcept;
 
+/// Says on the standard error output which files were written, unless `is_quiet`. Empty names are skipped.
+void report_files(bool is_quiet, const std::vector<std::string>& files);
+
 /// A bar on the standard error output, if that is a terminal and `is_quiet` is false. As a callback
 /// of CGAL it is passed as `std::ref(bar)`; it never cancels.
 class Progress_bar {

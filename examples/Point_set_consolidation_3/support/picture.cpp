@@ -1000,6 +1000,18 @@ void Picture::write_png(const std::string& file) const
 
 // ---- figures --------------------------------------------------------------------------------
 
+Color label_color(std::size_t label)
+{
+  // Hues a golden section apart.
+  const double hue = 6 * std::fmod(0.618033988749895 * double(label) + 0.05, 1.);
+  const double fade = 1 - std::abs(std::fmod(hue, 2.) - 1);
+  const std::array<std::array<double, 3>, 6> channels = {
+    {{1, fade, 0}, {fade, 1, 0}, {0, 1, fade}, {0, fade, 1}, {fade, 0, 1}, {1, 0, fade}}};
+  const std::array<double, 3>& c = channels[std::size_t(hue) % 6];
+  constexpr double least = 40. / 255, range = 200. / 255;  // neither black nor garish
+  return Color{least + range * c[0], least + range * c[1], least + range * c[2]};
+}
+
 void write_panels(const std::string& png, const std::vector<Panel>& panels,
                   const Vec3& view_direction, const Vec3& up, int panel_height, std::size_t columns)
 {
@@ -1038,6 +1050,7 @@ void write_panels(const std::string& png, const std::vector<Panel>& panels,
       scene.draw_points(panel.cloud.points, panel.cloud.normals, camera, style);
     }
     if(!panel.graph.vertices.empty()) {
+      scene.pixel(0, 0);  // ends the scene, so that no surface hides the graph
       Segment_style style;
       style.radius = panel.segment_radius;
       scene.draw_segments(panel.graph, camera, style);

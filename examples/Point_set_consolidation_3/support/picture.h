@@ -156,7 +156,7 @@ private:
   mutable std::vector<Sample> m_samples;      ///< the scene; empty if nothing is drawn
 };
 
-/// One picture of a figure. Parts that are empty are not drawn.
+/// One picture of a figure. Parts that are empty are not drawn; the graph is drawn on top of the others.
 struct Panel {
   std::string title;
   Point_cloud cloud;  ///< with confidence and without `point_colors`: colored by confidence
@@ -167,6 +167,9 @@ struct Panel {
   double point_radius = 0;    ///< 0: derived from the spacing
   double segment_radius = 0;  ///< 0: derived from the picture's size
 };
+
+/// What tells parts, segments or clusters apart: hues of which those with near numbers differ most.
+Color label_color(std::size_t label);
 
 /// A figure: panels side by side, seen with the same camera, each with its title below.
 /// `view_direction` points from the eye into the scene. `columns` = 0: one row.

@@ -168,7 +168,10 @@ CGAL_PSC3_OWN_PARAMETERS(CGAL_PSC3_OWN_TAG)
 
 /// \endcond
 
-/// A CGAL pack of named parameters `NP` that can be chained with the names of this package.
+/// \ingroup PkgPointSetConsolidation3Parameters
+/// A pack `NP` of CGAL's named parameters that can be chained with the names of this package.
+/// It has a member function for each name in \ref psc3_named_parameters.
+/// \tparam NP a pack of CGAL
 template <typename NP>
 class Named_parameters {
   NP m_np;
@@ -177,6 +180,7 @@ class Named_parameters {
   using Extended = Named_parameters<CGAL::Named_function_parameters<K, Tag, NP>>;
 
 public:
+  /// wraps a pack of CGAL
   explicit Named_parameters(const NP& np) : m_np(np) {}
 
   /// The pack as CGAL's functions take it.
@@ -198,6 +202,8 @@ public:
   /// \endcond
 };
 
+/// \ingroup PkgPointSetConsolidation3Parameters
+/// A function for each name in \ref psc3_named_parameters, which begins a pack of named parameters.
 namespace parameters {
 
 /// The pack of which every parameter has its default.

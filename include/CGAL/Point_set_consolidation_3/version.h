@@ -13,14 +13,18 @@
 /// The version of the package. This is the one place where it is written: the build system reads
 /// the three numbers from here.
 
+/// First number of the version.
 #define CGAL_POINT_SET_CONSOLIDATION_3_VERSION_MAJOR 0
+/// Second number of the version.
 #define CGAL_POINT_SET_CONSOLIDATION_3_VERSION_MINOR 1
+/// Third number of the version.
 #define CGAL_POINT_SET_CONSOLIDATION_3_VERSION_PATCH 0
 
 /// A number to compare with: `major * 1000000 + minor * 1000 + patch`.
 #define CGAL_POINT_SET_CONSOLIDATION_3_VERSION_NUMBER(major, minor, patch) \
   ((major)*1000000 + (minor)*1000 + (patch))
 
+/// The version of these headers as such a number.
 #define CGAL_POINT_SET_CONSOLIDATION_3_VERSION_NR                                             \
   CGAL_POINT_SET_CONSOLIDATION_3_VERSION_NUMBER(CGAL_POINT_SET_CONSOLIDATION_3_VERSION_MAJOR, \
                                                 CGAL_POINT_SET_CONSOLIDATION_3_VERSION_MINOR, \

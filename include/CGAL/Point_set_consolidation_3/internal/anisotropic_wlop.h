@@ -11,23 +11,10 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/feature_projection.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
-
-/*!
-\ingroup PkgPointSetConsolidation3Ref
-
-How `anisotropic_wlop_simplify_and_regularize_point_set()` reads equations (1) to (4) of the paper.
-*/
-enum class Anisotropic_formula : unsigned char {
-  /// as printed, sums over all points: quadratic time, and faces shrink towards their middle
-  PRINTED,
-  /// distance weights beside the tangent plane weights in (1) and (2), and a support radius three times as large
-  LOCAL,
-  /// points are attracted to the surface of their own cluster only, and repelled along it, up to its edges
-  SEPARATED
-};
 
 namespace internal {
 

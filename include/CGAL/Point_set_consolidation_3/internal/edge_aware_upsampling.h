@@ -10,23 +10,10 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EDGE_AWARE_UPSAMPLING_H
 
 #include <CGAL/Point_set_consolidation_3/internal/feature_projection.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
-
-/*!
-\ingroup PkgPointSetConsolidation3Ref
-
-How `anisotropic_edge_aware_upsample_point_set()` projects a new point.
-*/
-enum class Upsampling_formula : unsigned char {
-  /// equation (6), with \f$n^T(s_i - b)\f$: with the sign as printed points move away from the surface
-  PRINTED,
-  /// distance weights beside those of (6), offsets along the mean of the two normals
-  WEIGHTED,
-  /// as `WEIGHTED`, and a base between two clusters goes onto the edge between their planes
-  EDGES
-};
 
 namespace internal {
 

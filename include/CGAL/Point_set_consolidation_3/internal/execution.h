@@ -8,6 +8,8 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EXECUTION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EXECUTION_H
 
+#include <CGAL/Point_set_consolidation_3/options.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -36,12 +38,7 @@ namespace internal {
 /// and leave their output untouched.
 struct Cancelled {};
 
-/// Seconds and iterations of the stages of a call, in order.
-struct Stage_time {
-  std::string name;
-  double seconds = 0;
-  std::size_t iterations = 0;
-};
+using Point_set_consolidation_3::Stage_time;
 using Stage_times = std::vector<Stage_time>;
 
 /// One monotone progress in [0, 1] over a whole call. The callback runs on the calling thread only,

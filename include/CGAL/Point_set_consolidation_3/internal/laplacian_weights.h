@@ -9,17 +9,10 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_LAPLACIAN_WEIGHTS_H
 
 #include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
-
-/// \ingroup PkgPointSetConsolidation3Ref
-/// Weights of the point cloud Laplacian in the contraction of a shape to its curve skeleton.
-enum class Laplacian_weights {
-  COTANGENT,     ///< cotangents of the opposite angles: contracts along the mean curvature normal
-  MEAN_VALUE,    ///< tangents of the half angles at the point by the edge's length
-  COMBINATORIAL  ///< one for every neighbour
-};
 
 namespace internal {
 

@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/neighbor_lists.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -30,13 +31,7 @@ struct Sinking_parameters {
   std::size_t max_iterations = 200;
 };
 
-enum class Anchoring : unsigned char {
-  sinking,     ///< still on its way
-  collided,    ///< met an opposing front, equation (2)
-  slowed,      ///< stopped because its neighbours had settled
-  inherited,   ///< never settled; length taken from settled neighbours
-  unanchored   ///< nothing opposes its whole component: the depth is a guess
-};
+using Point_set_consolidation_3::Anchoring;
 
 struct Sunk_points {
   Points normals;                  ///< bilaterally smoothed
