@@ -7,6 +7,7 @@
 #include "consolidation.h"
 #include "json.h"
 #include "picture.h"
+#include "ply_file.h"
 #include "point_file.h"
 #include "poisson_mesh.h"
 
@@ -49,7 +50,8 @@ bool parse(Options& o, int argc, char** argv)
               "largest distance of the mesh's facets from the surface, in spacings of the meshed points")
     .between(0.01, 1);
   line.option("--completed", "FILE", o.completed, "the completed input, your points first and in order");
-  line.option("--inner", "FILE", o.inner, "inner points (meso-skeleton): .ply with radius");
+  line.option("--inner", "FILE", o.inner, "inner points (meso-skeleton), .ply with radius and label: "
+              "0 curve, 1 sheet, 2 end, 3 unanchored");
   line.option("--deep-points", "FILE", o.deep_points, "outer and inner points joined by edges (.ply)");
   line.option("--picture", "FILE", o.picture, "before and after, side by side (.png)");
   line.option("--json", "FILE", o.json, "counts, spacing, seconds and iterations of the stages");
@@ -109,8 +111,8 @@ void check_outputs(Options& o)
   if(!completes && !o.completed.empty())
     throw support::Usage_error("--completed needs --method deep-points or iterative");
   const bool shows = !o.picture.empty() || !o.json.empty();
-  o.wants_points = !(o.output.empty() && o.inner.empty() && o.deep_points.empty()) ||
-                   o.mesh_from == "result" || shows;
+  o.wants_points = !(o.output.empty() && o.deep_points.empty()) || o.mesh_from == "result" || shows;
+  o.wants_inner = !o.inner.empty();
   o.wants_completed =
     !o.completed.empty() || (o.mesh_from == "completed" && (!o.mesh.empty() || shows));
 }
@@ -128,12 +130,13 @@ support::Consolidation_result consolidate(const Options& o, const Point_cloud& c
 
 void write_inner(const std::string& file, const Result& result)
 {
-  support::Segment_graph inner;
-  for(std::size_t i = 1; i < result.deep_points.vertices.size(); i += 2) {
-    inner.vertices.push_back(result.deep_points.vertices[i]);
-    inner.radius.push_back(result.deep_points.radius[i]);
-  }
-  support::write_segment_graph(file, inner);
+  using support::Ply_type;
+  support::Ply_element vertex{"vertex", result.inner.vertices.size(), {}};
+  support::append_vectors(vertex, support::position_names, Ply_type::float64, result.inner.vertices);
+  vertex.properties.push_back({"radius", Ply_type::float64, result.inner.radius});
+  vertex.properties.push_back(
+    {"label", Ply_type::uint8, {result.inner_labels.begin(), result.inner_labels.end()}});
+  support::write_ply(file, {{std::move(vertex)}});
 }
 
 void write_picture(const Options& o, const Point_cloud& scan, const Result& result,

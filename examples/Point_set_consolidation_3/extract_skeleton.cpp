@@ -5,9 +5,11 @@
 #include "json.h"
 #include "picture.h"
 #include "point_file.h"
+#include "scan_ranges.h"
 
 #include <CGAL/extract_l1_medial_skeleton.h>
 #include <CGAL/extract_laplacian_contraction_skeleton.h>
+#include <CGAL/meso_skeleton_to_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
@@ -24,11 +26,12 @@ namespace {
 
 namespace params = CGAL::Point_set_consolidation_3::parameters;
 
-using Kernel = CGAL::Simple_cartesian<double>;
+using support::Concurrency_tag;
+using support::Kernel;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
-using Concurrency_tag = CGAL::Parallel_if_available_tag;
+using Meso_skeleton = CGAL::Meso_skeleton_3<Kernel>;
 using Oriented_point = std::pair<Point, Vector>;
 using Stage_times = std::vector<CGAL::Point_set_consolidation_3::Stage_time>;
 
@@ -45,6 +48,9 @@ struct Options {
   bool is_surface = false, ignores_normals = false, keeps_tips = false;
   // l1-medial
   double initial_radius = 0, repulsion = 0.35;
+  // meso
+  std::size_t particles = 0;
+  std::vector<support::Vec3> scanner;
 };
 
 struct Run {
@@ -54,6 +60,7 @@ struct Run {
   support::Point_cloud cloud = {};   // what was read: points,
   support::Triangle_mesh mesh = {};  // or a soup of polygons
   std::size_t number_of_points() const { return cloud.size() + mesh.vertices.size(); }
+  Meso_skeleton meso = {};  // curves and sheets, of the method meso
 };
 
 Point to_point(const support::Vec3& p) { return Point(p.x(), p.y(), p.z()); }
@@ -132,10 +139,34 @@ Skeleton l1_medial(Run& run)
   return skeleton;
 }
 
+Skeleton meso(Run& run)
+{
+  const Options& options = run.options;
+  run.cloud = support::read_point_cloud(options.input);
+  const support::Scan_ranges scan(run.cloud, options.scanner);
+  const auto np = params::point_map(CGAL::make_property_map(scan.points))
+                    .callback([&](double fraction) { return run.progress(fraction); });
+  const auto extract = [&](const auto& parameters) {
+    CGAL::Deep_points_consolidation_3<Kernel, Concurrency_tag> consolidation(scan.indices, parameters);
+    CGAL::meso_skeleton_to_graph(consolidation, run.meso,
+                                 params::sampling_radius(options.sampling_radius)
+                                   .largest_merged_cycle(options.largest_merged_cycle));
+    run.times = consolidation.stage_times();
+  };
+  support::with_scanner(scan, np, [&](const auto& parameters) {
+    if(options.particles > 0)
+      extract(parameters.number_of_output_points(options.particles));
+    else
+      extract(parameters);
+  });
+  return run.meso.graph;
+}
+
 using Method = Skeleton (*)(Run&);
 const std::map<std::string, Method> methods = {
   {"laplacian", laplacian},
   {"l1-medial", l1_medial},
+  {"meso", meso},
 };
 
 bool parse(Options& options, int argc, char** argv)
@@ -143,7 +174,7 @@ bool parse(Options& options, int argc, char** argv)
   support::Command_line line("extract_skeleton", "Extracts the curve skeleton of a point set.");
   line.positional("INPUT", options.input, "point file: .ply .off .noff .xyz .pwn .las");
   line.option("-o,--output", "FILE", options.output,
-              "skeleton: .ply with edges and radii, or .polylines.txt");
+              "skeleton: .ply with edges and radii, or .polylines.txt; method meso also .obj and .ma");
   std::vector<std::string> names;
   for(const auto& method : methods)
     names.push_back(method.first);
@@ -165,7 +196,7 @@ bool parse(Options& options, int argc, char** argv)
   line.option("--samples", "N", options.samples, "largest number of points to contract").at_least(4)
     .default_is("20000; surfaces: 10000");
   line.option("--neighbors", "K", options.neighbors, "nearest points among which rings are found")
-    .at_least(4).default_is("0.012 N within 8 and 30");
+    .at_least(4).default_is("0.012 N within 8 and 12");
   line.option("--weights", "NAME", options.weights, "of the Laplacian")
     .one_of({"cotangent", "mean-value", "combinatorial"});
   line.option("--contraction-weight", "X", options.contraction_weight,
@@ -179,7 +210,7 @@ bool parse(Options& options, int argc, char** argv)
   line.option("--sampling-radius", "X", options.sampling_radius,
               "r, distance of nodes, in bounding box diagonals").between(0.001, 1);
   line.option("--merge-cycles", "N", options.largest_merged_cycle,
-              "merge cycles of at most N nodes; 0: none");
+              "merge cycles of at most N nodes that are no handles; 0: none");
   line.flag("--keep-tips", options.keeps_tips, "do not extend tips to the end of the shape");
 
   line.heading("Method l1-medial (and --samples, --sampling-radius, --merge-cycles, --keep-tips)");
@@ -188,11 +219,29 @@ bool parse(Options& options, int argc, char** argv)
     .at_least(0).default_is("2 diagonals over the cube root of the number of points");
   line.option("--repulsion", "X", options.repulsion, "mu, of samples along the skeleton")
     .between(0, 0.49);
+
+  line.heading("Method meso: curves and sheets (and --sampling-radius, --merge-cycles)");
+  line.option("--particles", "N", options.particles, "number of deep points")
+    .default_is("5 % of the points, at least 4000");
+  line.option("--scanner", "X Y Z", options.scanner,
+              "position of the scanner; repeated in the order of the property view");
   if(!line.parse(argc, argv))
     return false;
+  if(options.method == "meso" && !options.edits.empty())
+    throw support::Usage_error("--edits is for curve skeletons, not for --method meso");
   if(options.output.empty())
     throw support::Usage_error("--output is missing");
   return true;
+}
+
+bool ends_with(const std::string& name, const std::string& end)
+{
+  return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+bool is_meso_output(const std::string& name)
+{
+  return ends_with(name, ".ply") || ends_with(name, ".obj") || ends_with(name, ".ma");
 }
 
 support::Segment_graph to_segment_graph(const Skeleton& skeleton)
@@ -209,10 +258,14 @@ support::Segment_graph to_segment_graph(const Skeleton& skeleton)
   return graph;
 }
 
-void write(const Options& options, const Skeleton& skeleton)
+void write(const Options& options, const Skeleton& skeleton, const Meso_skeleton& meso)
 {
   const std::string& name = options.output;
-  if(name.size() > 4 && name.compare(name.size() - 4, 4, ".ply") == 0)
+  if(options.method == "meso" && is_meso_output(name)) {
+    if(!CGAL::IO::write_meso_skeleton(name, meso))
+      throw support::File_error(name + ": cannot be written");
+  }
+  else if(ends_with(name, ".ply"))
     support::write_segment_graph(name, to_segment_graph(skeleton));
   else if(!CGAL::IO::write_curve_skeleton(name, skeleton))
     throw support::File_error(name + ": cannot be written");
@@ -230,8 +283,16 @@ void report(const Run& run, const Skeleton& skeleton)
   json["points"] = run.number_of_points();
   json["vertices"] = num_vertices(skeleton);
   json["edges"] = num_edges(skeleton);
-  json["components"] = CGAL::number_of_skeleton_components(skeleton);
-  json["cycles"] = CGAL::number_of_skeleton_cycles(skeleton);
+  if(run.options.method == "meso") {
+    json["components"] = CGAL::number_of_components(run.meso);
+    json["cycles"] = CGAL::number_of_cycles(run.meso);
+    json["sheets"] = CGAL::number_of_sheets(run.meso);
+    json["triangles"] = run.meso.triangles.size();
+  }
+  else {
+    json["components"] = CGAL::number_of_skeleton_components(skeleton);
+    json["cycles"] = CGAL::number_of_skeleton_cycles(skeleton);
+  }
   json["tips"] = tips;
   json["branch_vertices"] = branches;
   for(const auto& stage : run.times) {
@@ -267,12 +328,14 @@ void apply_edits(const Options& options, Skeleton& skeleton)
   }
 }
 
-void check_output(const std::string& name)
+void check_output(const Options& options)
 {
-  for(const std::string end : {".ply", ".polylines.txt", ".cgal"})
-    if(name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+  for(const char* const end : {".ply", ".polylines.txt", ".cgal"})
+    if(ends_with(options.output, end))
       return;
-  throw support::File_error(name + ": the extension is none of .ply .polylines.txt .cgal");
+  if(options.method != "meso" || !is_meso_output(options.output))
+    throw support::File_error(options.output + ": the extension is none of .ply .polylines.txt .cgal" +
+                              (options.method == "meso" ? " .obj .ma" : ""));
 }
 
 }  // namespace
@@ -283,14 +346,14 @@ int main(int argc, char** argv)
     Options options;
     if(!parse(options, argc, argv))
       return;
-    check_output(options.output);
+    check_output(options);
     const support::Thread_limit threads(options.threads);
     support::Progress_bar progress("skeleton", options.quiet);
     Run run{options, progress};
     Skeleton skeleton = methods.at(options.method)(run);
     if(!options.edits.empty())
       apply_edits(options, skeleton);
-    write(options, skeleton);
+    write(options, skeleton, run.meso);
     if(!options.picture.empty())
       write_picture(run, skeleton);
     if(!options.json.empty())

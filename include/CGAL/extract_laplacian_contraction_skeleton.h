@@ -24,7 +24,7 @@ namespace CGAL {
   shape and the points they stand for.
 
   Topology is right for complete point sets whose parts do not touch: parts closer to each other than a few
-  spacings are joined, a handle whose skeleton would have `largest_merged_cycle` nodes or fewer is lost. On
+  spacings are joined. On
   scans from few views, expect the right branches, not the right cycles; `bridge_components()` joins
   components that missing data have separated.
 
@@ -56,7 +56,8 @@ namespace CGAL {
       \cgalParamDescription{number of nearest points, itself included, among which the ring of a point is found;
         at least 4}
       \cgalParamType{`std::size_t`}
-      \cgalParamDefault{0.012 times the number of points, within [8, 30], as in the paper}
+      \cgalParamDefault{0.012 times the number of points, within [8, 12]; the upper bound of the paper, 30, joins
+        parts that are close to each other}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_samples}
       \cgalParamDescription{largest number of points that are contracted; larger sets are represented by evenly spread
@@ -104,11 +105,11 @@ namespace CGAL {
       \cgalParamDefault{0.02}
     \cgalParamNEnd
     \cgalParamNBegin{largest_merged_cycle}
-      \cgalParamDescription{cycles of at most so many nodes are merged to a node: they come from places where
-        local triangulations disagree. 0 keeps all}
+      \cgalParamDescription{cycles of at most so many nodes are merged to a node, as they come from places where
+        local triangulations disagree, unless they are wider than the parts of the shape around their nodes: these
+        are handles. 0 keeps all}
       \cgalParamType{`std::size_t`}
-      \cgalParamDefault{6, which removes all false cycles of shapes without touching parts; a handle whose skeleton is
-        shorter than 0.12 diagonals is lost}
+      \cgalParamDefault{6}
     \cgalParamNEnd
     \cgalParamNBegin{extend_tips}
       \cgalParamDescription{whether tips are extended to the end of the shape, by a vertex of radius 0}

@@ -15,6 +15,7 @@ namespace support {
 struct Consolidation_options {
   std::string method = "deep-points";  ///< deep-points, iterative, anisotropic-wlop or wlop
   bool wants_points = true;            ///< the method's own points
+  bool wants_inner = false;            ///< radii and labels of the inner points
   bool wants_completed = true;         ///< the completed input, for the methods that complete
   std::vector<Vec3> scanner;           ///< positions in the order of the views
   std::size_t particles = 0;           ///< 0: the method's default
@@ -40,6 +41,8 @@ struct Consolidation_result {
   Point_cloud completed;             ///< the caller's points, then the missing ones; may be empty
   std::size_t completed_points = 0;  ///< how many of them are new
   Segment_graph deep_points;         ///< outer and inner vertices, radius: length of the deep point
+  Segment_graph inner;               ///< the meso-skeleton's points with radius
+  std::vector<int> inner_labels;     ///< parallel: values of Meso_label
   std::vector<Named_time> times;
   double spacing = 0;                ///< of the consolidated points; 0: not computed
 };

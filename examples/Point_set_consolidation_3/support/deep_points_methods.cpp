@@ -8,6 +8,7 @@
 #include <CGAL/Deep_points_consolidation_3.h>
 #include <CGAL/bilateral_smooth_point_set.h>
 #include <CGAL/edge_aware_upsample_point_set.h>
+#include <CGAL/meso_skeleton_to_graph.h>
 
 #include <iterator>
 
@@ -39,6 +40,17 @@ void collect_deep_points(const Consolidation& consolidation, Consolidation_resul
     const double length = (vec3(p.outer()) - vec3(p.inner())).norm();
     result.deep_points.radius.insert(result.deep_points.radius.end(), {0., length});
     result.deep_points.edges.push_back({2 * i, 2 * i + 1});
+  }
+}
+
+void collect_inner(Consolidation& consolidation, Consolidation_result& result)
+{
+  CGAL::Meso_skeleton_3<Kernel> skeleton;
+  CGAL::meso_skeleton_to_graph(consolidation, skeleton);
+  for(std::size_t i = 0; i < consolidation.size(); ++i) {
+    result.inner.vertices.push_back(vec3(consolidation.skeletal_point(i)));
+    result.inner.radius.push_back(skeleton.radii[i]);
+    result.inner_labels.push_back(int(skeleton.labels[i]));
   }
 }
 
@@ -106,6 +118,8 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
         consolidation.consolidate_outer_points();
         collect_deep_points(consolidation, result);
       }
+      if(o.wants_inner)
+        collect_inner(consolidation, result);
       if(o.wants_completed) {
         consolidation.complete_missing_parts();
         collect_completed(consolidation, n, result);

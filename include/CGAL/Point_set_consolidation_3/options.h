@@ -107,6 +107,14 @@ struct Stage_time {
   std::size_t iterations = 0;  ///< 0 if the stage does not count them
 };
 
+/// What a part of the meso-skeleton is.
+enum class Meso_label : unsigned char {
+  CURVE,      ///< the shape is tubular here
+  SHEET,      ///< it is flat: two sides face each other
+  END,        ///< the end of a curve, or a blob
+  UNANCHORED  ///< nothing opposes the surface: the depth is a guess
+};
+
 /// @}
 
 }  // namespace Point_set_consolidation_3

@@ -97,7 +97,8 @@ public:
     if(m_rings.triangles.empty())
       m_thinning = std::make_unique<Skeleton_thinning>(points, chain(), parameters);
     else
-      m_thinning = std::make_unique<Skeleton_thinning>(points, m_rings.edges, parameters);
+      m_thinning = std::make_unique<Skeleton_thinning>(points, m_rings.edges, parameters,
+                                                       m_samples.points);
     take_graph();
   }
 

@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_THINNING_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_THINNING_H
 
+#include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <limits>
@@ -28,11 +29,12 @@ struct Thinning_parameters {
 
 class Skeleton_thinning {
 public:
-  /// `connections`: range of pairs of indices into `points`.
+  /// `connections`: range of pairs of indices into `points`. `surface`: where the points were before they became
+  /// thin, or empty; it tells true handles of few nodes.
   template <typename Connections>
   Skeleton_thinning(const Points& points, const Connections& connections,
-                    const Thinning_parameters& parameters)
-    : m_parameters(parameters)
+                    const Thinning_parameters& parameters, Points surface = Points())
+    : m_parameters(parameters), m_surface(std::move(surface))
   {
     sample(points);
     m_neighbors.resize(m_positions.size());
@@ -42,12 +44,16 @@ public:
   }
 
   /// Collapses edges of triangles, the shortest first, to their midpoints, until no triangle is left. Then
-  /// merges short cycles, which come from places where the local triangulations disagree. A true handle
-  /// of so few nodes is lost.
+  /// merges short cycles, which come from places where the local triangulations disagree, except around a hole.
   void thin()
   {
     collapse_triangles();
     for(std::vector<std::size_t> cycle = shortest_cycle(); !cycle.empty(); cycle = shortest_cycle()) {
+      if(is_handle(cycle)) {
+        std::sort(cycle.begin(), cycle.end());
+        m_handles.insert(cycle);
+        continue;
+      }
       Vec3 centroid = Vec3::Zero();
       for(const std::size_t i : cycle)
         centroid += m_positions[i];
@@ -200,7 +206,7 @@ private:
         const std::size_t limit =
           best.empty() ? m_parameters.largest_merged_cycle : best.size();
         std::vector<std::size_t> path = path_without_edge(a, b, limit);
-        if(path.empty())
+        if(path.empty() || is_known_handle(path))
           continue;
         const double length = closed_length(path);
         if(best.empty() || path.size() < best.size() || length < best_length) {
@@ -210,6 +216,53 @@ private:
       }
     return best;
   }
+  bool is_known_handle(std::vector<std::size_t> cycle) const
+  {
+    if(m_handles.empty())
+      return false;
+    std::sort(cycle.begin(), cycle.end());
+    return m_handles.count(cycle) > 0;
+  }
+
+  /// Whether a cycle goes around a hole of the shape: it is then wider than the tubes that it is made of. A
+  /// cycle that comes from disagreeing triangulations lies in one tube. Over fifteen models the ratio was 1.2 to 2.4
+  /// for handles and 0.4 to 0.6 for others.
+  bool is_handle(const std::vector<std::size_t>& cycle) const
+  {
+    if(m_surface.empty())
+      return false;
+    const std::size_t n = cycle.size();
+    std::vector<std::size_t> place(m_positions.size(), n);
+    for(std::size_t k = 0; k < n; ++k)
+      place[cycle[k]] = k;
+    Points centres(n, Vec3::Zero());
+    std::vector<double> count(n, 0.), radius(n, 0.);
+    for(std::size_t p = 0; p < m_node_of.size(); ++p) {
+      const std::size_t k = place[m_node_of[p]];
+      if(k < n) {
+        centres[k] += m_surface[p];
+        count[k] += 1;
+      }
+    }
+    Covariance_sum loop;
+    for(std::size_t k = 0; k < n; ++k) {
+      centres[k] /= count[k];
+      loop.add(centres[k] - centres[0]);
+    }
+    for(std::size_t p = 0; p < m_node_of.size(); ++p) {
+      const std::size_t k = place[m_node_of[p]];
+      if(k < n) {
+        const Vec3 axis = normalized_or(centres[(k + 1) % n] - centres[(k + n - 1) % n], Vec3::Zero());
+        const Vec3 d = m_surface[p] - centres[k];
+        radius[k] += (d - d.dot(axis) * axis).norm() / count[k];
+      }
+    }
+    const double tube = std::accumulate(radius.begin(), radius.end(), 0.) / double(n);
+    // of a circle, or the smaller half axis of an ellipse
+    const double half_width = std::sqrt(2 * (std::max)(0., loop.axes().eigenvalues()[1]));
+    return half_width > tube;
+  }
+
   double closed_length(const std::vector<std::size_t>& cycle) const
   {
     double length = 0;
@@ -247,6 +300,8 @@ private:
   std::vector<std::set<std::size_t> > m_neighbors;
   std::vector<char> m_alive;
   std::vector<std::size_t> m_node_of;
+  Points m_surface;
+  std::set<std::vector<std::size_t> > m_handles;  ///< cycles that stay, sorted
 };
 
 }  // namespace internal
