@@ -539,7 +539,7 @@ Figure_result figure_17(const std::string&)
   Figure_table table{"vase without its base", mesh_columns(), {}};
   table.columns.push_back("mean length");
   figure.panels.push_back(cloud_panel("scan", scan.cloud));
-  for(const char* prior : {"volume-preserving", "minimal-volume"}) {
+  for(const char* prior : {"volume-preserving", "minimal-volume", "flat"}) {
     // directions would carve the space under the base: the priors alone decide
     Point_cloud points;
     points.points = scan.cloud.points;
@@ -626,7 +626,7 @@ std::vector<Paper_figure> deep_points_figures()
     {"deep_figure_14", "thin sheets and rods", figure_14},
     {"deep_figure_15", "edge-aware resampling recovers detail and sharp features", figure_15},
     {"deep_figure_16", "features of different scales", figure_16},
-    {"deep_figure_17", "volume-preserving and minimal-volume priors", figure_17},
+    {"deep_figure_17", "volume-preserving, minimal-volume and flat priors", figure_17},
     {"deep_table_1", "times of WLOP and of deep points", table_1},
   };
 }

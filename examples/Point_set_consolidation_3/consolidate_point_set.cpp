@@ -69,7 +69,9 @@ bool parse(Options& o, int argc, char** argv)
   line.flag("--keep-density", o.keep_density, "do not weigh the input by its density: faster");
   line.heading("Deep points (lengths in spacings r of the consolidated points)");
   line.option("--prior", "NAME", o.prior, "what is assumed where data are missing")
-    .one_of({"volume-preserving", "minimal-volume"});
+    .one_of({"volume-preserving", "minimal-volume", "flat"});
+  line.option("--max-hole", "LENGTH", o.maximum_hole, "wider gaps stay open in the completed input, unit of "
+                                                      "the input").above(0).default_is("no bound");
   line.option("--data-term", "NAME", o.data_term, "attraction to the data, or its part along the normal "
                                                   "(better for tubes)")
     .one_of({"full", "normal"});

@@ -135,17 +135,18 @@ public:
       std::vector<Point_set_consolidation_3::Prior> priors;
       for(const Vec3& p : m_input.points) {
         const std::size_t c = data.nearest(p).index;
-        if(!m_is_constrained.empty())
-          frozen.push_back(m_is_constrained[c]);
-        if(!m_priors.empty())
-          priors.push_back(m_priors[c]);
+        if(!m_gaps.is_frozen.empty())
+          frozen.push_back(m_gaps.is_frozen[c]);
+        if(!m_gaps.priors.empty())
+          priors.push_back(m_gaps.priors[c]);
       }
       m_surface = Surface_consolidation(m_execution, m_input.data, m_input.points, m_sunk.normals,
                                         m_skeleton.points, m_surface_parameters, free_space,
                                         frozen, priors)
                     .run(stage);
-      Completed_filling(m_execution, m_skeleton.points, frozen, m_surface)
-        .run(m_surface_parameters.completed_spacing);
+      Completed_filling filling(m_execution, m_skeleton.points, frozen, m_surface);
+      filling.run(m_surface_parameters.completed_spacing);
+      filling.close_flat(m_input.data, data, m_gaps);
       m_confidence.resize(m_surface.points.size());
       parallel_for(m_execution, m_confidence.size(), [&](std::size_t i) {
         m_confidence[i] =
@@ -172,8 +173,11 @@ public:
         free_space = Free_space(m_execution, m_input.data, m_input.directions, region(),
                                 m_seen.spacing + (m_seen.is_noisy ? 3 * m_seen.noise : 0));
       stage.update(0.4);
-      m_completed = Completion(m_execution, m_input, m_seen, m_sunk, free_space,
-                               m_completion_parameters).run(stage);
+      Completion_parameters parameters;
+      parameters.gaps = m_gaps;
+      parameters.gaps.largest = m_largest_gap / m_input.frame.unit;
+      m_completed = Completion(m_execution, m_input, m_seen, m_sunk, free_space, parameters)
+                      .run(stage);
       m_has_completion = true;
       m_execution.progress.finish();
     });
@@ -211,11 +215,14 @@ public:
     }
     return output;
   }
-  /// position of input point i as it should be meshed: the input point itself unless the data are noisy
+  /// position of input point i as it should be meshed: the input point itself unless the data are noisy and the
+  /// point is not constrained
   Point_3 denoised_point(std::size_t i) const
   {
     const Vec3& p = m_points[i];
-    return m_seen.is_noisy ? world(m_seen.points[i]) : Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
+    const bool is_frozen = !m_gaps.is_frozen.empty() && m_gaps.is_frozen[i];
+    return m_seen.is_noisy && !is_frozen ? world(m_seen.points[i])
+                                         : Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
   }
   /// its unit normal, outwards
   Vector_3 denoised_normal(std::size_t i) const { return vector(m_seen.normals[i]); }
@@ -290,19 +297,23 @@ private:
       const auto map =
         CGAL::parameters::get_parameter(np, CGAL::internal_np::point_is_constrained);
       for(auto it = points.begin(); it != points.end(); ++it)
-        m_is_constrained.push_back(char(bool(get(map, *it))));
+        m_gaps.is_frozen.push_back(char(bool(get(map, *it))));
     }
     if constexpr(has_parameter<NP, Point_set_consolidation_3::internal_np::prior_map_t>) {
       const auto map =
         CGAL::parameters::get_parameter(np, Point_set_consolidation_3::internal_np::prior_map);
       for(auto it = points.begin(); it != points.end(); ++it)
-        m_priors.push_back(get(map, *it));
+        m_gaps.priors.push_back(get(map, *it));
     }
     m_input_parameters = read_input_parameters(function, np, m_points.size());
 
     m_sinking_parameters = read_sinking_parameters(function, np);
     m_skeleton_parameters = read_skeleton_parameters(function, np);
     m_surface_parameters = read_surface_parameters(function, np);
+    m_gaps.prior = m_surface_parameters.prior;
+    m_gaps.shrinkage = m_surface_parameters.shrinkage;
+    m_largest_gap = positive(function, np, Point_set_consolidation_3::internal_np::maximum_hole_size,
+                             "maximum_hole_size", (std::numeric_limits<double>::max)());
   }
 
   /// Where data count; outliers lie beyond.
@@ -337,8 +348,8 @@ private:
   State m_stage = EMPTY;
   Points m_points, m_hints;
   Point_set_consolidation_3::internal::Scan_directions m_directions;
-  std::vector<char> m_is_constrained;
-  std::vector<Point_set_consolidation_3::Prior> m_priors;
+  Point_set_consolidation_3::internal::Gap_parameters m_gaps;
+  double m_largest_gap = 0;   ///< in the input's unit
   Point_set_consolidation_3::internal::Input_parameters m_input_parameters;
   Point_set_consolidation_3::internal::Sinking_parameters m_sinking_parameters;
   Point_set_consolidation_3::internal::Meso_skeleton_parameters m_skeleton_parameters;
@@ -347,7 +358,6 @@ private:
   Point_set_consolidation_3::internal::Sunk_points m_sunk;
   Point_set_consolidation_3::internal::Meso_skeleton m_skeleton;
   Point_set_consolidation_3::internal::Consolidated_surface m_surface;
-  Point_set_consolidation_3::internal::Completion_parameters m_completion_parameters;
   Point_set_consolidation_3::internal::Seen_part m_seen;
   Point_set_consolidation_3::internal::Completed_points m_completed;
   bool m_has_completion = false;

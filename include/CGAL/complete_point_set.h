@@ -41,9 +41,32 @@ namespace CGAL {
   \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
   `view_direction_map`, `view_index_map`, `scanner_positions`, `number_of_output_points` (of the consolidated
   set), `select_percentage`, `neighbor_radius`, `number_of_iterations`, `require_uniform_sampling`,
-  `collision_angle`, `smoothing_radius`, `collision_radius`, `closing_step`, `callback`, `stage_times` and
-  `geom_traits` as in `deep_points_consolidate_point_set()`, and those listed below
+  `collision_angle`, `smoothing_radius`, `collision_radius`, `closing_step`, `missed_rays`, `callback`, `stage_times`
+  and `geom_traits` as in `deep_points_consolidate_point_set()`, and those listed below
   \cgalNamedParamsBegin
+    \cgalParamNBegin{prior}
+      \cgalParamDescription{what is assumed of the shape in a gap}
+      \cgalParamType{`Point_set_consolidation_3::Prior`}
+      \cgalParamDefault{`Prior::VOLUME_PRESERVING`}
+      \cgalParamExtra{With `MINIMAL_VOLUME` completed points keep 0.9 of their distance from the centre of the ball
+        for each spacing between them and the data.}
+    \cgalParamNEnd
+    \cgalParamNBegin{prior_map}
+      \cgalParamDescription{a prior per input point; a gap is closed by the prior of most points at its border}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `Point_set_consolidation_3::Prior`}
+      \cgalParamDefault{`prior` everywhere}
+    \cgalParamNEnd
+    \cgalParamNBegin{maximum_hole_size}
+      \cgalParamDescription{wider gaps stay open: twice the largest distance of a gap's points from the data, in
+        the unit of the input, positive}
+      \cgalParamType{floating scalar value}
+      \cgalParamDefault{no bound}
+    \cgalParamNEnd
+    \cgalParamNBegin{point_is_constrained_map}
+      \cgalParamDescription{points that are not denoised, and next to which nothing is completed}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `bool`}
+      \cgalParamDefault{nothing is constrained}
+    \cgalParamNEnd
     \cgalParamNBegin{denoised_point_map}
       \cgalParamDescription{receives the positions of the caller's points as they should be meshed: unchanged
         for clean data, projected to a local quadric fit for noisy data}

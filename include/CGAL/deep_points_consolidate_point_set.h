@@ -62,6 +62,14 @@ namespace CGAL {
       \cgalParamType{a range of `geom_traits::Point_3`}
       \cgalParamDefault{none}
     \cgalParamNEnd
+    \cgalParamNBegin{missed_rays}
+      \cgalParamDescription{rays that met nothing: a point on each, and the index of its view. Without them all of a
+        view's image that has no data, but for gaps of the sampling, is taken for seen through; with them only
+        where they passed, so that dropouts of the scanner are completed}
+      \cgalParamType{a range of `std::pair<geom_traits::Point_3, std::size_t>`}
+      \cgalParamDefault{not known}
+      \cgalParamExtra{Needs `view_direction_map` or `scanner_positions`.}
+    \cgalParamNEnd
     \cgalParamNBegin{number_of_output_points}
       \cgalParamDescription{number of consolidated points, each of which becomes a deep point}
       \cgalParamType{`std::size_t`}
@@ -151,7 +159,8 @@ namespace CGAL {
       \cgalParamDefault{`Data_term::FULL`}
     \cgalParamNEnd
     \cgalParamNBegin{prior}
-      \cgalParamDescription{what is assumed where data are missing, equations (8) and (9)}
+      \cgalParamDescription{what is assumed where data are missing, equations (8) and (9), or a plane through
+        the border}
       \cgalParamType{`Point_set_consolidation_3::Prior`}
       \cgalParamDefault{`Prior::VOLUME_PRESERVING`}
     \cgalParamNEnd

@@ -261,6 +261,126 @@ void boxes()
   assert(united[0].lower == Vec3(0, 0, 0) && united[0].upper == Vec3(4, 6, 1));
 }
 
+/// An upright tube of radius 1 and height 3, open at both ends, normals known.
+struct Open_tube {
+  std::vector<std::size_t> indices;
+  std::vector<Point> points;
+  std::vector<Vector> normals;
+  std::vector<psc::Prior> priors;   ///< flat at the lower end, volume preserving at the upper
+  std::vector<bool> is_upper;
+
+  Open_tube()
+  {
+    synthetic::Random_numbers random(8);
+    for(std::size_t i = 0; i < 8000; ++i) {
+      const double a = 2 * CGAL_PI * random.uniform(), z = 3 * random.uniform();
+      indices.push_back(i);
+      points.emplace_back(std::cos(a), std::sin(a), z);
+      normals.emplace_back(std::cos(a), std::sin(a), 0);
+      is_upper.push_back(z > 1.5);
+      priors.push_back(z > 1.5 ? psc::Prior::VOLUME_PRESERVING : psc::Prior::FLAT);
+    }
+  }
+
+  template <typename NP>
+  std::vector<Completed_point> completed(const NP& np) const
+  {
+    std::vector<Completed_point> result;
+    CGAL::complete_point_set<CGAL::Parallel_if_available_tag>(
+      indices, std::back_inserter(result),
+      np.point_map(CGAL::make_property_map(points)).normal_map(CGAL::make_property_map(normals))
+        .number_of_output_points(2000));
+    return result;
+  }
+};
+
+/// Priors, the largest hole and frozen regions act on the gaps they are meant for.
+void closures()
+{
+  std::cout << "closures of an open tube" << std::endl;
+  const Open_tube tube;
+  // at the ends: points, and the largest distance from the end's plane
+  struct Ends {
+    std::size_t lower = 0, upper = 0;
+    double lower_height = 0, upper_height = 0;
+  };
+  const auto ends = [](const std::vector<Completed_point>& points) {
+    Ends result;
+    for(const Completed_point& p : points) {
+      const double z = p.outer().z();
+      if(z > 1.5) {
+        ++result.upper;
+        result.upper_height = (std::max)(result.upper_height, std::abs(z - 3));
+      }
+      else {
+        ++result.lower;
+        result.lower_height = (std::max)(result.lower_height, std::abs(z));
+      }
+    }
+    std::cout << "  lower end " << result.lower << " points, height " << result.lower_height
+              << ", upper end " << result.upper << ", " << result.upper_height << std::endl;
+    return result;
+  };
+  const Ends round = ends(tube.completed(params::prior(psc::Prior::VOLUME_PRESERVING)));
+  assert(round.lower > 100 && round.upper > 100);
+  assert(round.lower_height > 0.3 && round.upper_height > 0.3);
+  const Ends small = ends(tube.completed(params::prior(psc::Prior::MINIMAL_VOLUME)));
+  assert(small.lower > 100 && small.lower_height < 0.8 * round.lower_height);
+  const Ends mixed =
+    ends(tube.completed(params::prior_map(CGAL::make_property_map(tube.priors))));
+  assert(mixed.lower > 100 && mixed.lower_height < 0.05);
+  assert(mixed.upper == round.upper && mixed.upper_height == round.upper_height);
+  const std::vector<Completed_point> flat = tube.completed(params::prior(psc::Prior::FLAT));
+  for(const Completed_point& p : flat)
+    assert(std::abs(p.normal().z()) > 0.999);
+  assert(tube.completed(params::maximum_hole_size(0.5)).empty());
+  assert(ends(tube.completed(params::maximum_hole_size(6.))).lower == round.lower);
+  std::vector<char> is_upper(tube.is_upper.begin(), tube.is_upper.end());
+  const Ends frozen =
+    ends(tube.completed(params::point_is_constrained_map(CGAL::make_property_map(is_upper))));
+  assert(frozen.upper == 0 && frozen.lower == round.lower);
+
+  // deep points: the flat prior puts what has spread beyond the border on its plane
+  std::vector<Deep_point> deep;
+  CGAL::deep_points_consolidate_point_set<CGAL::Parallel_if_available_tag>(
+    tube.indices, std::back_inserter(deep),
+    params::point_map(CGAL::make_property_map(tube.points))
+      .normal_map(CGAL::make_property_map(tube.normals)).number_of_output_points(2000)
+      .data_term(psc::Data_term::NORMAL).prior(psc::Prior::FLAT));
+  for(const Deep_point& p : deep)
+    assert(p.outer().z() > -0.1 && p.outer().z() < 3.1);
+}
+
+/// A ball with a dropout of the scanner in the middle of the image.
+void missed_rays()
+{
+  std::cout << "dropout" << std::endl;
+  const auto ball = synthetic::capsule(Vec3(0, 0, -1e-3), Vec3(0, 0, 1e-3), 1);
+  const Scan whole = synthetic::scan(ball, {Vec3(0, 0, 1)}, 12000, 9);
+  Rays scan;
+  for(const Point_and_direction& ray : rays(whole))
+    if(std::hypot(ray.first.x(), ray.first.y()) > 0.5)
+      scan.push_back(ray);
+  std::vector<std::pair<Point, std::size_t> > missed;
+  for(int x = -80; x <= 80; ++x)
+    for(int y = -80; y <= 80; ++y)
+      if(std::hypot(0.02 * x, 0.02 * y) > 1.03)
+        missed.emplace_back(Point(0.02 * x, 0.02 * y, 5), 0);
+  const auto in_dropout = [&](const auto& np) {
+    std::vector<Completed_point> points;
+    CGAL::complete_point_set<CGAL::Parallel_if_available_tag>(
+      scan, std::back_inserter(points),
+      np.point_map(First()).view_direction_map(Second()).number_of_output_points(2500));
+    std::size_t count = 0;
+    for(const Completed_point& p : points)
+      count += p.outer().z() > 0.5 && std::hypot(p.outer().x(), p.outer().y()) < 0.3;
+    std::cout << "  " << count << " points in the dropout" << std::endl;
+    return count;
+  };
+  assert(in_dropout(params::closing_step(true)) == 0);   // taken for seen through
+  assert(in_dropout(params::missed_rays(missed)) > 50);
+}
+
 /// Anchors and skeletal points of a scan.
 std::vector<Vec3> inner_points(const Scan& scan)
 {
@@ -578,6 +698,8 @@ int main()
   thin_plate();
   completion();
   boxes();
+  closures();
+  missed_rays();
   invariance();
   parallel_equals_sequential();
   kernels_and_ranges<CGAL::Simple_cartesian<double> >();

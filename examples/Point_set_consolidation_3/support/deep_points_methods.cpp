@@ -11,6 +11,7 @@
 #include <CGAL/meso_skeleton_to_graph.h>
 
 #include <iterator>
+#include <limits>
 
 namespace support {
 
@@ -23,7 +24,9 @@ typedef CGAL::Deep_points_consolidation_3<Kernel, Concurrency_tag> Consolidation
 
 psc::Prior prior(const std::string& name)
 {
-  return name == "minimal-volume" ? psc::Prior::MINIMAL_VOLUME : psc::Prior::VOLUME_PRESERVING;
+  return name == "minimal-volume" ? psc::Prior::MINIMAL_VOLUME
+         : name == "flat"         ? psc::Prior::FLAT
+                                  : psc::Prior::VOLUME_PRESERVING;
 }
 
 void collect_deep_points(const Consolidation& consolidation, Consolidation_result& result)
@@ -103,6 +106,8 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
                     .number_of_skeleton_iterations(o.skeleton_iterations)
                     .number_of_surface_iterations(o.surface_iterations)
                     .completed_spacing(o.completed_spacing)
+                    .maximum_hole_size(o.maximum_hole > 0 ? o.maximum_hole
+                                                          : (std::numeric_limits<double>::max)())
                     .data_term(o.data_term == "normal" ? psc::Data_term::NORMAL
                                                        : psc::Data_term::FULL)
                     .prior(prior(o.prior))

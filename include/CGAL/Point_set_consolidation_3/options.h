@@ -37,7 +37,10 @@ enum class Prior : unsigned char {
   /// Thickness as in the neighbourhood, equation (8) of \cgalCite{cgal:wshcl-dpc-15}.
   VOLUME_PRESERVING,
   /// Thickness decays away from the data, equation (9).
-  MINIMAL_VOLUME
+  MINIMAL_VOLUME,
+  /// Closed by a plane through the border: for open bases, where an object stood on the ground. Where
+  /// the border is far from flat, as `VOLUME_PRESERVING`.
+  FLAT
 };
 
 /// How an inner point of `Deep_points_consolidation_3` came to rest.

@@ -110,6 +110,8 @@
   X(number_of_surface_iterations)                                                       \
   X(completed_spacing)       /* of filled regions, in r */                              \
   /* completion */                                                                      \
+  X(maximum_hole_size)                                                                  \
+  X(missed_rays)             /* a point on each, and its view */                        \
   X(denoised_point_map)                                                                 \
   X(denoised_normal_map)                                                                \
   X(outlier_output_iterator)                                                            \

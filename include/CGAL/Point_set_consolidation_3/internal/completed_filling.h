@@ -8,7 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_COMPLETED_FILLING_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_COMPLETED_FILLING_H
 
-#include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
+#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
+#include <CGAL/Point_set_consolidation_3/internal/flat_closure.h>
+#include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
@@ -32,6 +34,7 @@ class Completed_filling {
   static constexpr std::size_t neighbors = 12;
   static constexpr std::size_t normal_neighbors = 16;
   static constexpr std::size_t least_normal_neighbors = 6;
+  static constexpr double gap_link = 3;            ///< between completed points of one gap
 
 public:
   Completed_filling(Execution& execution, const Points& skeleton, const std::vector<char>& frozen,
@@ -53,6 +56,37 @@ public:
       average_lengths();
     for(int pass = 0; pass < 2; ++pass)
       fit_normals();
+  }
+
+  /// Moves the points of gaps with a flat prior to the plane through the data at their border.
+  void close_flat(const Points& data, const Nearest_neighbors& data_tree, const Gap_parameters& gaps)
+  {
+    std::vector<std::size_t> moving;
+    Points points;
+    for(std::size_t i = 0; i < m_is_moving.size(); ++i)
+      if(m_is_moving[i]) {
+        moving.push_back(i);
+        points.push_back(m_surface.points[i]);
+      }
+    for(const std::vector<Index>& gap : connected_components(points, gap_link)) {
+      Points of_gap;
+      Vec3 outwards = Vec3::Zero();
+      for(const Index k : gap) {
+        of_gap.push_back(points[k]);
+        outwards += m_surface.normals[moving[k]];
+      }
+      const std::vector<Index> border = border_of(m_execution, data_tree, of_gap);
+      if(gaps.prior_of(border) != Prior::FLAT)
+        continue;
+      const Closing_plane plane = closing_plane(data, border, outwards);
+      if(!plane.is_valid())
+        continue;
+      for(const Index k : gap) {
+        m_surface.points[moving[k]] = plane.projected(points[k]);
+        m_surface.normals[moving[k]] = plane.normal;
+      }
+    }
+    update_lengths();
   }
 
 private:

@@ -12,15 +12,15 @@
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/ball_clip.h>
 #include <CGAL/Point_set_consolidation_3/internal/ball_union.h>
-#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
+#include <CGAL/Point_set_consolidation_3/internal/gap_selection.h>
 #include <CGAL/Point_set_consolidation_3/internal/scalar_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/sinking.h>
 #include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 #include <CGAL/Point_set_consolidation_3/internal/working_boxes.h>
 
-#include <array>
+#include <memory>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -37,22 +37,13 @@ struct Completion_parameters {
   double least_gap = 6;               ///< in sp: Poisson bridges smaller gaps better
   double box_margin = 4;
   double one_view_depth = 0.6;        ///< of the longest side: how far behind the data there may be more
-};
-
-struct Completed_points {
-  Points points, normals, inner;
-  std::vector<double> distance;       ///< to the nearest datum, in r
-  std::vector<char> is_clipped;       ///< the ball's radius is bounded by data or free space
-  std::vector<char> is_unanchored;    ///< nothing opposes: the depth is a guess
+  Gap_parameters gaps;
 };
 
 class Completion {
   static constexpr double largest_ball = 0.3;     ///< of the diagonal
   static constexpr double obstacle_distance = 2.5;  ///< in sp: nearer free space is the data's own
   static constexpr double most_nodes = 3e7;       ///< coarser grids beyond: 16 bytes a node
-  static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
-  static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
-  static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
 
 public:
   Completion(Execution& execution, const Consolidated_input& input, const Seen_part& seen,
@@ -64,36 +55,33 @@ public:
 
   Completed_points run(Stage& stage)
   {
-    const std::vector<Bounding_box> boxes =
+    std::vector<Bounding_box> boxes =
       working_boxes(m_input.points, m_free_space, m_parameters.box_margin,
                     m_parameters.one_view_depth);
+    const bool is_one_view = m_free_space.number_of_views() == 1;
+    m_balls = Ball_clip(m_execution, m_input.points, m_sunk.normals, obstacles(boxes))
+                .clip(m_sunk.anchors, largest_ball * longest_diagonal(boxes), is_one_view);
+    m_centre_tree = std::make_unique<Nearest_neighbors>(m_balls.centres);
+    stage.update(0.4);
+    if(!is_one_view)  // else the box is as deep as completion may go
+      boxes = holding_balls(std::move(boxes), m_input.points, m_balls.centres, m_balls.radius,
+                            m_parameters.box_margin);
     const double step = grid_step(boxes);
-    std::vector<Scalar_grid> free_space(boxes.size());
-    Points obstacles;
-    for(std::size_t b = 0; b < boxes.size(); ++b) {
-      free_space[b] = free_space_grid(boxes[b], step);
-      add_free_space_border(free_space[b], obstacles);
-      stage.update(0.3 * double(b + 1) / double(boxes.size()));
-    }
-    m_balls = Ball_clip(m_execution, m_input.points, m_sunk.normals, obstacles)
-                .clip(m_sunk.anchors, largest_ball * longest_diagonal(boxes),
-                      m_free_space.number_of_views() == 1);
-    stage.update(0.5);
     Completed_points completed;
     for(std::size_t b = 0; b < boxes.size(); ++b) {
-      Scalar_grid solid = Ball_union::make(m_execution, boxes[b], step, m_balls,
-                                           m_free_space.empty() ? nullptr : &free_space[b]);
-      free_space[b] = Scalar_grid();
+      Scalar_grid solid = union_of_balls(boxes[b], step);
       solid.smooth(m_execution, m_parameters.smoothing);
       Completed_points part = sample(solid);
       correct_border(solid, part);
-      remove_seen_through(part);
+      keep(part, [&](const Vec3& x) { return !is_seen_through(x) && !is_mere_guess(x); });
       append(completed.points, part.points);
       append(completed.normals, part.normals);
       append(completed.distance, part.distance);
-      stage.update(0.5 + 0.5 * double(b + 1) / double(boxes.size()));
+      stage.update(0.4 + 0.6 * double(b + 1) / double(boxes.size()));
     }
-    leave_out_bridgeable_gaps(completed);
+    completed = Gap_selection(m_execution, m_input.points, m_seen, m_data_tree, m_balls,
+                              m_parameters.gaps)
+                  .run(completed, is_one_view);
     describe(completed);
     return completed;
   }
@@ -138,12 +126,17 @@ private:
     });
   }
 
+  Scalar_grid union_of_balls(const Bounding_box& box, double step) const
+  {
+    if(m_free_space.empty())
+      return Ball_union::make(m_execution, box, step, m_balls, nullptr);
+    const Scalar_grid phi = free_space_grid(box, step);
+    return Ball_union::make(m_execution, box, step, m_balls, &phi);
+  }
+
   Scalar_grid free_space_grid(const Bounding_box& box, double step) const
   {
-    Scalar_grid phi;
-    if(m_free_space.empty())
-      return phi;
-    phi = Scalar_grid(box, step, 0.f);
+    Scalar_grid phi(box, step, 0.f);
     fill(phi, [&](const Vec3& x) {
       return (std::min)(Ball_union::band, (std::max)(-Ball_union::band, m_free_space(x)));
     });
@@ -157,10 +150,17 @@ private:
   }
 
   /// Where known free space begins, away from the data.
-  void add_free_space_border(const Scalar_grid& phi, Points& obstacles) const
+  Points obstacles(const std::vector<Bounding_box>& boxes) const
   {
-    if(m_free_space.empty())
-      return;
+    Points result;
+    if(!m_free_space.empty())
+      for(const Bounding_box& box : boxes)
+        append(result, free_space_border(free_space_grid(box, grid_step(boxes))));
+    return result;
+  }
+
+  Points free_space_border(const Scalar_grid& phi) const
+  {
     Points border;
     phi.for_each_edge([&](std::size_t i, std::size_t j, int) {
       if((phi[i] > 0) != (phi[j] > 0))
@@ -174,7 +174,7 @@ private:
     for(std::size_t i = 0; i < border.size(); ++i)
       if(is_far[i])
         far.push_back(border[i]);
-    append(obstacles, selected(far, thinned(far, 1.)));
+    return selected(far, thinned(far, 1.));
   }
 
   /// From the data to the first completed point; less on parts that are thinner than that.
@@ -196,10 +196,9 @@ private:
         crossings.push_back(crossing(solid, i, j));
     });
     std::vector<double> distance(crossings.size()), least(crossings.size());
-    const Nearest_neighbors centres(m_balls.centres);
     parallel_for(m_execution, crossings.size(), [&](std::size_t i) {
       distance[i] = data_distance(crossings[i]);
-      least[i] = least_distance(m_balls.radius[centres.nearest(crossings[i]).index]);
+      least[i] = least_distance(m_balls.radius[m_centre_tree->nearest(crossings[i]).index]);
     });
     Completed_points completed;
     Points far, normals;
@@ -230,7 +229,6 @@ private:
       offset[j] = (std::min)(2., (std::max)(-2., solid(m_seen.points[j])));
     });
     const Sorted_grid data(m_seen.points, 4 * sp);
-    const Nearest_neighbors centres(m_balls.centres);
     const std::size_t n = completed.points.size();
     std::vector<double> delta(n), smoothed(n);
     parallel_for(m_execution, n, [&](std::size_t i) {
@@ -246,7 +244,7 @@ private:
         }
         return true;
       });
-      const double ball = (std::max)(2., m_balls.radius[centres.nearest(x).index]);
+      const double ball = (std::max)(2., m_balls.radius[m_centre_tree->nearest(x).index]);
       const double far = completed.distance[i] / (1.5 * ball);
       delta[i] = weight > 0 ? sum / weight / (1 + far * far) : 0;
     });
@@ -268,89 +266,39 @@ private:
   }
 
   /// The correction may have moved points to where a ray has passed.
-  void remove_seen_through(Completed_points& completed) const
+  bool is_seen_through(const Vec3& x) const
   {
     constexpr double tolerance = 0.5;
+    return !m_free_space.empty() && m_free_space(x) > tolerance;
+  }
+
+  /// Nothing bounds the depth of a sheet that nothing opposes if no rays are known either.
+  bool is_mere_guess(const Vec3& x) const
+  {
+    return m_free_space.empty() &&
+           m_sunk.anchoring[m_centre_tree->nearest(x).index] == Anchoring::unanchored;
+  }
+
+  template <typename Predicate>
+  static void keep(Completed_points& completed, const Predicate& is_kept)
+  {
     std::vector<Index> kept;
     for(std::size_t i = 0; i < completed.points.size(); ++i)
-      if(m_free_space.empty() || m_free_space(completed.points[i]) <= tolerance)
+      if(is_kept(completed.points[i]))
         kept.push_back(Index(i));
     completed.points = selected(completed.points, kept);
     completed.normals = selected(completed.normals, kept);
     completed.distance = selected(completed.distance, kept);
   }
 
-  /// The mesher bridges narrow gaps better than balls that are only roughly right. Wide gaps are always
-  /// completed; the narrow ones if the balls from beyond them predict the data at their borders well. They are
-  /// completed together or not at all: the level that Poisson reconstruction extracts belongs to all
-  /// points, and thin parts left open beside closed ones would be lost. After one view, where
-  /// everything is open, all are completed.
-  void leave_out_bridgeable_gaps(Completed_points& completed) const
-  {
-    if(m_free_space.number_of_views() == 1)
-      return;
-    const std::size_t n = completed.points.size();
-    const Nearest_neighbors centres(m_balls.centres);
-    std::vector<Index> nearest_datum(n);
-    std::vector<double> radius(n);
-    parallel_for(m_execution, n, [&](std::size_t i) {
-      nearest_datum[i] = m_data_tree.nearest(completed.points[i]).index;
-      radius[i] = m_balls.radius[centres.nearest(completed.points[i]).index];
-    });
-    std::vector<Index> wide, narrow;
-    double error = 0;
-    const double link = 3 * m_seen.spacing;  // completed points are one spacing apart
-    for(const std::vector<Index>& gap : connected_components(completed.points, link)) {
-      double width = 0;
-      for(const Index i : gap)
-        width = (std::max)(width, completed.distance[i]);
-      if(width > wide_gap) {
-        append(wide, gap);
-        continue;
-      }
-      append(narrow, gap);
-      error += double(gap.size()) * prediction_error(selected(nearest_datum, gap), width) /
-               median(selected(radius, gap));
-    }
-    if(error < predictable * double(narrow.size()))
-      append(wide, narrow);
-    std::sort(wide.begin(), wide.end());
-    completed.points = selected(completed.points, wide);
-    completed.normals = selected(completed.normals, wide);
-    completed.distance = selected(completed.distance, wide);
-  }
-
-  /// How far the balls that touch the surface beyond `distance` miss the data at the border of a gap.
-  double prediction_error(std::vector<Index> border, double distance) const
-  {
-    std::sort(border.begin(), border.end());
-    border.erase(std::unique(border.begin(), border.end()), border.end());
-    std::vector<double> error(border.size());
-    parallel_for(m_execution, border.size(), [&](std::size_t b) {
-      const Vec3& x = m_seen.points[border[b]];
-      std::array<double, Ball_union::agreeing_balls> nearest;
-      nearest.fill(largest_miss);
-      for(std::size_t i = 0; i < m_balls.centres.size(); ++i)
-        if((m_input.points[i] - x).norm() > distance) {
-          double d = (x - m_balls.centres[i]).norm() - m_balls.radius[i];
-          for(double& slot : nearest)
-            if(d < slot)
-              std::swap(d, slot);
-        }
-      error[b] = (std::min)(largest_miss, std::abs(nearest.back()));
-    });
-    return mean(error);
-  }
-
   void describe(Completed_points& completed) const
   {
-    const Nearest_neighbors centres(m_balls.centres);
     const std::size_t n = completed.points.size();
     completed.inner.resize(n);
     completed.is_clipped.resize(n);
     completed.is_unanchored.resize(n);
     parallel_for(m_execution, n, [&](std::size_t i) {
-      const std::size_t ball = centres.nearest(completed.points[i]).index;
+      const std::size_t ball = m_centre_tree->nearest(completed.points[i]).index;
       completed.inner[i] = m_balls.centres[ball];
       completed.is_clipped[i] = m_balls.is_clipped[ball];
       completed.is_unanchored[i] = char(m_sunk.anchoring[ball] == Anchoring::unanchored);
@@ -366,6 +314,7 @@ private:
   const Free_space& m_free_space;
   Nearest_neighbors m_data_tree;
   Balls m_balls;
+  std::unique_ptr<Nearest_neighbors> m_centre_tree;   ///< of the balls
 };
 
 }  // namespace internal

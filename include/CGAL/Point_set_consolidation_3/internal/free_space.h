@@ -42,8 +42,13 @@ public:
         }
       }
       constexpr std::size_t least_points = 16;  // fewer do not make an image
-      if(seen.size() >= least_points)
-        m_images.push_back(make_image(execution, seen, Projection::fit(seen, rays)));
+      if(seen.size() < least_points)
+        continue;
+      Points missed;
+      for(std::size_t i = 0; i < directions.missed.size(); ++i)
+        if(directions.missed_view[i] == v)
+          missed.push_back(directions.missed[i]);
+      m_images.push_back(make_image(execution, seen, Projection::fit(seen, rays), missed));
     }
     for(const Image& image : m_images)
       m_tolerance = (std::max)(m_tolerance, image.pixel);
@@ -102,6 +107,7 @@ private:
     int width = 0, height = 0;
     std::vector<float> nearest;   ///< height of the data nearest to the scanner, -inf: none
     std::vector<float> distance;  ///< of the pixel's centre to the silhouette
+    bool is_open_beyond = true;   ///< whether all is free beyond the image
 
     std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
     Vec3 pixel_centre(int x, int y) const
@@ -119,13 +125,15 @@ private:
       return std::isfinite(value) ? double(value) : (std::numeric_limits<double>::max)();
     }
 
-    /// Bilinear; beyond the image all is free.
+    /// Bilinear.
     double silhouette_distance(const Vec3& u) const
     {
       const double x = (u.x() - origin_x) / pixel - 0.5, y = (u.y() - origin_y) / pixel - 0.5;
       if(!(x >= 0 && y >= 0 && x < width - 1 && y < height - 1)) {
         const double out_x = (std::max)({-x, x - (width - 1), 0.});
         const double out_y = (std::max)({-y, y - (height - 1), 0.});
+        if(!is_open_beyond)
+          return -pixel;
         return pixel * (padding_pixels + std::sqrt(out_x * out_x + out_y * out_y));
       }
       const int x0 = int(x), y0 = int(y);
@@ -136,7 +144,7 @@ private:
   };
 
   static Image make_image(const Execution& execution, const Points& points,
-                          const Projection& projection)
+                          const Projection& projection, const Points& missed)
   {
     Image image;
     image.projection = projection;
@@ -180,9 +188,44 @@ private:
         image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
       image.distance[p] = float(std::sqrt(tree.nearest(centre).squared_distance));
     });
-    close_gaps(execution, image);
-    sign_inside(execution, image);
+    if(missed.empty()) {
+      close_gaps(execution, image);
+      sign_inside(execution, image);
+    }
+    else
+      set_missed(execution, image, missed);
     return image;
+  }
+
+  /// The caller knows which rays met nothing: only pixels of these are seen through. A pixel without rays, where
+  /// the scanner got no answer or did not look, may be solid.
+  static void set_missed(const Execution& execution, Image& image, const Points& missed)
+  {
+    std::vector<char> is_free(image.distance.size(), 0);
+    for(const Vec3& p : missed) {
+      const Vec3 u = image.projection(p);
+      const double x = std::floor((u.x() - image.origin_x) / image.pixel);
+      const double y = std::floor((u.y() - image.origin_y) / image.pixel);
+      if(x >= 0 && y >= 0 && x < image.width && y < image.height) {
+        const std::size_t pixel = image.at(int(x), int(y));
+        is_free[pixel] = char(image.distance[pixel] > 0.7 * image.pixel);
+      }
+    }
+    Points free, solid;
+    for(int y = 0; y < image.height; ++y)
+      for(int x = 0; x < image.width; ++x)
+        (is_free[image.at(x, y)] ? free : solid).push_back(image.pixel_centre(x, y));
+    const float far = float(image.pixel * (image.width + image.height));
+    const Nearest_neighbors free_tree(free), solid_tree(solid);
+    parallel_for(execution, image.distance.size(), [&](std::size_t p) {
+      const Vec3 centre =
+        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
+      const Nearest_neighbors& other = is_free[p] ? solid_tree : free_tree;
+      const float distance =
+        other.size() == 0 ? far : float(std::sqrt(other.nearest(centre).squared_distance));
+      image.distance[p] = is_free[p] ? distance : -distance;
+    });
+    image.is_open_beyond = false;
   }
 
   /// Pixels within four of the data but far from everything outside are gaps of the sampling.

@@ -229,6 +229,8 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
     p /= r;
   for(Vec3& p : input.data)
     p /= r;
+  for(Vec3& p : input.directions.missed)
+    p = input.frame.to_local(p);
 
   input.normals = jet_normals<ConcurrencyTag>(input.points, parameters.normal_neighbors);
   stage.update(0.5);

@@ -74,6 +74,26 @@ std::vector<std::size_t> copy_view_indices(const char* function, const PointRang
   return view;
 }
 
+/// The caller's rays that met nothing, for views that have data.
+template <typename NP>
+void copy_missed_rays(const char* function, const NP& np, Scan_directions& directions)
+{
+  if constexpr(has_parameter<NP, internal_np::missed_rays_t>) {
+    const std::size_t views = directions.number_of_views();
+    for(const auto& ray : CGAL::parameters::get_parameter(np, internal_np::missed_rays)) {
+      const Vec3 p = to_vec3(ray.first);
+      require(p.allFinite(), function, "missed_rays has a point that is not finite");
+      require(std::size_t(ray.second) < views, function,
+              "missed_rays has a view that none of the points belongs to");
+      directions.missed.push_back(p);
+      directions.missed_view.push_back(std::size_t(ray.second));
+    }
+  }
+  else {
+    (void)function; (void)np; (void)directions;
+  }
+}
+
 template <typename PointRange, typename NP>
 Scan_directions copy_scan_directions(const char* function, const PointRange& range,
                                      const Points& points, const NP& np)
@@ -103,6 +123,8 @@ Scan_directions copy_scan_directions(const char* function, const PointRange& ran
   else {
     require(directions.view.empty(), function,
             "view_index_map needs view_direction_map or scanner_positions");
+    if constexpr(has_parameter<NP, internal_np::missed_rays_t>)
+      throw_invalid(function, "missed_rays needs view_direction_map or scanner_positions");
     return directions;
   }
   for(std::size_t i = 0; i < points.size(); ++i) {
@@ -115,6 +137,7 @@ Scan_directions copy_scan_directions(const char* function, const PointRange& ran
   }
   if(directions.view.empty())
     directions.view = group_views(points, directions.towards_scanner);
+  copy_missed_rays(function, np, directions);
   return directions;
 }
 

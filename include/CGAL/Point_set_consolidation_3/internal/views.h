@@ -20,6 +20,8 @@ namespace internal {
 struct Scan_directions {
   Points towards_scanner;
   std::vector<std::size_t> view;   ///< in [0, number of views)
+  Points missed;                   ///< a point on each ray that met nothing; empty: not known
+  std::vector<std::size_t> missed_view;
 
   bool empty() const { return towards_scanner.empty(); }
   std::size_t number_of_views() const

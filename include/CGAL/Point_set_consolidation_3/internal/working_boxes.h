@@ -57,6 +57,23 @@ inline std::vector<Bounding_box> working_boxes(const Points& points, const Free_
   return united(std::move(boxes));
 }
 
+/// The boxes, large enough for the balls that touch the surface at `points` too.
+inline std::vector<Bounding_box> holding_balls(std::vector<Bounding_box> boxes, const Points& points,
+                                               const Points& centres,
+                                               const std::vector<double>& radius, double margin)
+{
+  for(Bounding_box& box : boxes) {
+    const Bounding_box before = box;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(before.contains(points[i])) {
+        const Vec3 reach = Vec3::Constant(radius[i] + margin);
+        box.lower = box.lower.cwiseMin(centres[i] - reach);
+        box.upper = box.upper.cwiseMax(centres[i] + reach);
+      }
+  }
+  return united(std::move(boxes));
+}
+
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL

@@ -1,0 +1,195 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_GAP_SELECTION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_GAP_SELECTION_H
+
+#include <CGAL/Point_set_consolidation_3/internal/ball_clip.h>
+#include <CGAL/Point_set_consolidation_3/internal/ball_union.h>
+#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
+#include <CGAL/Point_set_consolidation_3/internal/flat_closure.h>
+#include <CGAL/Point_set_consolidation_3/internal/gaps.h>
+#include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
+#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+struct Completed_points {
+  Points points, normals, inner;
+  std::vector<double> distance;       ///< to the nearest datum, in r
+  std::vector<char> is_clipped;       ///< the ball's radius is bounded by data or free space
+  std::vector<char> is_unanchored;    ///< nothing opposes: the depth is a guess
+};
+
+/// Gaps are the connected components of completed points. Each is closed by the prior of its border, or left
+/// open: if the caller wants it so, or if the mesher bridges it better.
+class Gap_selection {
+  static constexpr double link = 3;               ///< in sp: completed points are one sp apart
+  static constexpr double least_flat_distance = 3;  ///< in sp, of a flat closure from the data
+  static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
+  static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
+  static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
+
+public:
+  Gap_selection(Execution& execution, const Points& particles, const Seen_part& seen,
+                const Nearest_neighbors& data_tree, const Balls& balls,
+                const Gap_parameters& parameters)
+    : m_execution(execution), m_particles(particles), m_seen(seen), m_data_tree(data_tree)
+    , m_balls(balls), m_centre_tree(balls.centres), m_parameters(parameters)
+  {}
+
+  /// `is_all_open`: after one view everything is open, and all gaps are completed.
+  Completed_points run(const Completed_points& completed, bool is_all_open)
+  {
+    m_wide = m_narrow = Completed_points();
+    m_narrow_error = 0;
+    Completed_points allowed = completed;
+    remove_frozen(allowed);
+    for(const std::vector<Index>& gap : connected_components(allowed.points, link * m_seen.spacing))
+      sort_in(allowed, gap, is_all_open);
+    // The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts
+    // belongs to all points, and thin parts left open beside closed ones would be lost.
+    if(m_narrow_error < predictable * double(m_narrow.points.size()))
+      append(m_wide, m_narrow);
+    return std::move(m_wide);
+  }
+
+private:
+  static void append(Completed_points& to, const Completed_points& from)
+  {
+    to.points.insert(to.points.end(), from.points.begin(), from.points.end());
+    to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
+    to.distance.insert(to.distance.end(), from.distance.begin(), from.distance.end());
+  }
+
+  static Completed_points part(const Completed_points& all, const std::vector<Index>& indices)
+  {
+    Completed_points result;
+    result.points = selected(all.points, indices);
+    result.normals = selected(all.normals, indices);
+    result.distance = selected(all.distance, indices);
+    return result;
+  }
+
+  void remove_frozen(Completed_points& completed) const
+  {
+    if(m_parameters.is_frozen.empty())
+      return;
+    std::vector<Index> kept;
+    for(std::size_t i = 0; i < completed.points.size(); ++i)
+      if(!m_parameters.is_frozen[m_data_tree.nearest(completed.points[i]).index])
+        kept.push_back(Index(i));
+    completed = part(completed, kept);
+  }
+
+  void sort_in(const Completed_points& completed, std::vector<Index> indices, bool is_all_open)
+  {
+    std::sort(indices.begin(), indices.end());
+    Completed_points gap = part(completed, indices);
+    const double half_width = *std::max_element(gap.distance.begin(), gap.distance.end());
+    if(2 * half_width > m_parameters.largest)
+      return;
+    const std::vector<Index> border = border_of(m_execution, m_data_tree, gap.points);
+    const Prior prior = m_parameters.prior_of(border);
+    if(prior == Prior::FLAT)
+      close_flat(gap, border);
+    else if(prior == Prior::MINIMAL_VOLUME)
+      shrink(gap);
+    if(is_all_open || prior != Prior::VOLUME_PRESERVING || half_width > wide_gap) {
+      append(m_wide, gap);
+      return;
+    }
+    m_narrow_error += double(gap.points.size()) * prediction_error(border, half_width) /
+                      typical_radius(gap);
+    append(m_narrow, gap);
+  }
+
+  /// A plane through the border, or the gap as it is if the border is far from flat.
+  void close_flat(Completed_points& gap, const std::vector<Index>& border) const
+  {
+    Vec3 outwards = Vec3::Zero();
+    for(const Vec3& n : gap.normals)
+      outwards += n;
+    const Closing_plane plane = closing_plane(m_seen.points, border, outwards);
+    if(!plane.is_valid())
+      return;
+    Points points, normals;
+    std::vector<double> distance;
+    for(const Vec3& x : gap.points) {
+      const Vec3 y = plane.projected(x);
+      const double d = std::sqrt(m_data_tree.nearest(y).squared_distance);
+      if(d >= least_flat_distance * m_seen.spacing) {
+        points.push_back(y);
+        distance.push_back(d);
+      }
+    }
+    const std::vector<Index> kept = thinned(points, m_seen.spacing);
+    gap.points = selected(points, kept);
+    gap.distance = selected(distance, kept);
+    gap.normals.assign(kept.size(), plane.normal);
+  }
+
+  /// Equation (9): lengths decay with the distance from the data.
+  void shrink(Completed_points& gap) const
+  {
+    parallel_for(m_execution, gap.points.size(), [&](std::size_t i) {
+      const Vec3& centre = m_balls.centres[m_centre_tree.nearest(gap.points[i]).index];
+      const double share = std::pow(1 - m_parameters.shrinkage, gap.distance[i]);
+      gap.points[i] = centre + share * (gap.points[i] - centre);
+    });
+  }
+
+  double typical_radius(const Completed_points& gap) const
+  {
+    std::vector<double> radius(gap.points.size());
+    parallel_for(m_execution, radius.size(), [&](std::size_t i) {
+      radius[i] = m_balls.radius[m_centre_tree.nearest(gap.points[i]).index];
+    });
+    return median(radius);
+  }
+
+  /// How far the balls that touch the surface beyond `distance` miss the data at the border of a gap: the
+  /// mesher bridges narrow gaps better than balls that are only roughly right.
+  double prediction_error(const std::vector<Index>& border, double distance) const
+  {
+    std::vector<double> error(border.size());
+    parallel_for(m_execution, border.size(), [&](std::size_t b) {
+      const Vec3& x = m_seen.points[border[b]];
+      std::array<double, Ball_union::agreeing_balls> nearest;
+      nearest.fill(largest_miss);
+      for(std::size_t i = 0; i < m_balls.centres.size(); ++i)
+        if((m_particles[i] - x).norm() > distance) {
+          double d = (x - m_balls.centres[i]).norm() - m_balls.radius[i];
+          for(double& slot : nearest)
+            if(d < slot)
+              std::swap(d, slot);
+        }
+      error[b] = (std::min)(largest_miss, std::abs(nearest.back()));
+    });
+    return mean(error);
+  }
+
+  Execution& m_execution;
+  const Points& m_particles;
+  const Seen_part& m_seen;
+  const Nearest_neighbors& m_data_tree;
+  const Balls& m_balls;
+  Nearest_neighbors m_centre_tree;
+  const Gap_parameters& m_parameters;
+  Completed_points m_wide, m_narrow;
+  double m_narrow_error = 0;
+};
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_GAP_SELECTION_H
