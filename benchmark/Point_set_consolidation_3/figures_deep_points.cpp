@@ -590,7 +590,9 @@ Figure_result table_1(const std::string& data)
   support::Series ours{"this package", {}, {}}, paper{"paper", {}, {}};
   for(const Class& c : classes) {
     const Point_cloud cloud = scan_of(truth, 3, c.points, 0.1).cloud;
-    const Consolidation_result result = deep_points(cloud, (std::min)(c.particles, cloud.size()));
+    const Consolidation_result result = deep_points(cloud, (std::min)(c.particles, cloud.size()), [](Consolidation_options& o) {
+        o.completed_spacing = 0;  // as many deep points as the paper has
+      });
     double wlop = 0, deep = 0;
     for(const support::Named_time& time : result.times) {
       const bool is_input = time.name == "wlop" || time.name == "normals";
@@ -605,6 +607,55 @@ Figure_result table_1(const std::string& data)
     paper.y.push_back(1000 * c.deep_seconds / double(c.particles));
   }
   plot.series = {ours, paper};
+  figure.tables.push_back(table);
+  figure.plots.push_back(plot);
+  return figure;
+}
+
+/// What the confidence of completed points says: the share of them that is less than one spacing of the particles
+/// off the true surface.
+Figure_result confidence_curve(const std::string& data)
+{
+  constexpr int bins = 10;
+  constexpr double least_points = 200;  // in a bin
+  std::vector<double> count(bins, 0.), exact(bins, 0.), error_sum(bins, 0.), confidence_sum(bins, 0.);
+  for(const char* name : {"armadillo", "bear", "cow", "knot1", "man", "refined_elephant"}) {
+    const Triangle_mesh truth = figure_model(data, name);
+    const Mesh_tree surface(truth);
+    const Scan scan = scan_of(truth, 1, 20000);
+    Consolidation_options options;
+    options.wants_points = false;
+    const Consolidation_result result = support::consolidate(scan.cloud, options, {});
+    for(std::size_t i = scan.cloud.size(); i < result.completed.size(); ++i) {
+      const Vec3& p = result.completed.points[i];
+      const double error = (surface.closest(p).point - p).norm() / result.spacing;
+      const double confidence = result.completed.confidence[i];
+      const std::size_t b = std::size_t((std::min)(bins - 1., bins * confidence));
+      ++count[b];
+      exact[b] += error < 1;
+      error_sum[b] += error;
+      confidence_sum[b] += confidence;
+    }
+  }
+  Figure_result figure;
+  Figure_table table{"completed points of one-view scans of six models, by confidence",
+                     {"points", "confidence", "less than r off", "mean error / r"}, {}};
+  support::Series curve{"completed points", {}, {}}, ideal{"ideal", {0, 1}, {0, 1}};
+  curve.shape = support::Series::Shape::marked_line;
+  for(std::size_t b = 0; b < bins; ++b) {
+    if(count[b] < least_points)
+      continue;
+    const double confidence = confidence_sum[b] / count[b], share = exact[b] / count[b];
+    table.rows.push_back({"0." + std::to_string(b) + " - ",
+                          {count[b], confidence, share, error_sum[b] / count[b]}});
+    curve.x.push_back(confidence);
+    curve.y.push_back(share);
+  }
+  support::Plot plot;
+  plot.title = "Confidence of completed points";
+  plot.x_label = "confidence";
+  plot.y_label = "share less than one spacing off";
+  plot.series = {curve, ideal};
   figure.tables.push_back(table);
   figure.plots.push_back(plot);
   return figure;
@@ -627,6 +678,7 @@ std::vector<Paper_figure> deep_points_figures()
     {"deep_figure_15", "edge-aware resampling recovers detail and sharp features", figure_15},
     {"deep_figure_16", "features of different scales", figure_16},
     {"deep_figure_17", "volume-preserving, minimal-volume and flat priors", figure_17},
+    {"deep_confidence", "confidence of completed points against their true error", confidence_curve},
     {"deep_table_1", "times of WLOP and of deep points", table_1},
   };
 }

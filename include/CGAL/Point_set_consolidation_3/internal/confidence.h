@@ -14,12 +14,15 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Confidence of a point by its distance to the nearest datum, the one predictor of its true error
-/// that is monotone over all scans: 1 up to one spacing, then decaying.
+/// Confidence of a point by its distance d to the nearest datum, in spacings r of the particles: the share of
+/// completed points at that distance which are less than r off the true surface. d is the one predictor that is
+/// monotone over all scans. Measured over 68000 completed points of one-view scans of six models (armadillo, bear,
+/// cow, knot1, man, refined_elephant): 0.76, 0.73, 0.61, 0.53, 0.46, 0.30, 0.22 for d up to 3, 4, 6, 8, 11, 15, 20;
+/// scans from two and three views do better (0.92 to 1).
 inline double confidence(double distance_in_spacings)
 {
-  constexpr double measured = 1;     // spacings of the particles
-  constexpr double decay = 6;        // spacings until confidence has fallen to 1/e
+  constexpr double measured = 1;      // up to there 1
+  constexpr double decay = 10;        // fits the shares
   return std::exp(-(std::max)(0., distance_in_spacings - measured) / decay);
 }
 
