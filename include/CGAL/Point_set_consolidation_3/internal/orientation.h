@@ -18,21 +18,49 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 /// Orients normals like the mean hint of the nearest data. Hints may be rough normals or directions
-/// towards the scanner.
+/// towards the scanner. Where these are nearly tangential they tell little: there a normal follows its
+/// neighbours on the same sheet.
 inline void orient_by_hints(const Execution& execution, const Points& points, Points& normals,
                             const Points& data, const Points& hints)
 {
   constexpr std::size_t voters = 12;
+  constexpr double weak = 0.3;             // mean cosine of normal and hints
+  constexpr double same_sheet = 0.5;       // cosine of normals, sine of the rise
   const Nearest_neighbors tree(data);
+  std::vector<double> strength(points.size());
   parallel_for(execution, points.size(), [&](std::size_t i) {
     std::vector<Neighbor> neighbors;
     tree.find(points[i], voters, neighbors);
-    double vote = 0;
-    for(const Neighbor& neighbor : neighbors)
+    double vote = 0, length = 0;
+    for(const Neighbor& neighbor : neighbors) {
       vote += normals[i].dot(hints[neighbor.index]);
+      length += hints[neighbor.index].norm();
+    }
     if(vote < 0)
       normals[i] = -normals[i];
+    strength[i] = length > 0 ? std::abs(vote) / length : 0;
   });
+
+  const Nearest_neighbors particle_tree(points);
+  Points oriented = normals;
+  parallel_for(execution, points.size(), [&](std::size_t i) {
+    if(strength[i] >= weak)
+      return;
+    std::vector<Neighbor> neighbors;
+    particle_tree.find(points[i], voters, neighbors);
+    double vote = strength[i];
+    for(const Neighbor& neighbor : neighbors) {
+      const std::size_t j = neighbor.index;
+      const double cosine = normals[i].dot(normals[j]);
+      const double rise = std::abs((points[j] - points[i]).dot(normals[i]));
+      if(j != i && std::abs(cosine) > same_sheet &&
+         rise < same_sheet * std::sqrt(neighbor.squared_distance))
+        vote += strength[j] * cosine;
+    }
+    if(vote < 0)
+      oriented[i] = -normals[i];
+  });
+  normals.swap(oriented);
 }
 
 /// Flips a component's normals if the outermost points of most directions look inwards.
