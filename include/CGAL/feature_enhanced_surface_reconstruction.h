@@ -391,7 +391,8 @@ bool feature_enhanced_surface_reconstruction(
 
   \return `output` past the last point.
   \throws std::invalid_argument if there are too few points, a coordinate is not finite, most points
-  coincide, or a vertex of the skeleton has an index that is not one of the points.
+  coincide, a vertex of the skeleton has an index that is not one of the points, or the skeleton is so long and
+  thick that it would take more than ten million points.
 */
 template <typename ConcurrencyTag, typename PointRange, typename Kernel, typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -420,8 +421,13 @@ OutputIterator complete_point_set_along_skeleton(
   else
     normals = copy_unit_normals(function, points, np);
   const Skeleton_completion completion(world, normals, frame.unit, graph);
-  const Skeleton_completed_points completed =
-    completion.run(std::vector<char>(graph.edges.size(), 1), trusts_all);
+  Skeleton_completed_points completed;
+  try {
+    completed = completion.run(std::vector<char>(graph.edges.size(), 1), trusts_all);
+  }
+  catch(const std::invalid_argument& error) {
+    throw_invalid(function, error.what());
+  }
   for(std::size_t i = 0; i < completed.points.size(); ++i)
     *output++ = std::make_pair(to_point<Kernel>(completed.points[i]),
                                to_vector<Kernel>(completed.normals[i]));

@@ -207,7 +207,8 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
     Stage stage(execution, "wlop", 0.9 * share);
     input.frame = data_frame(execution, world, count);
     if(!(input.frame.unit > 0))
-      throw std::invalid_argument("more than half of the points coincide: no spacing to work with");
+      throw std::invalid_argument("deep_points_consolidate_point_set(): more than half of the points "
+                                  "coincide: no spacing to work with");
     for(const Vec3& p : world)
       input.data.push_back(input.frame.to_local(p));
     const double radius =
@@ -223,7 +224,8 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
   if(!(r > 0))
-    throw std::invalid_argument("the consolidated points coincide: no spacing to work with");
+    throw std::invalid_argument("deep_points_consolidate_point_set(): the consolidated points "
+                                "coincide: no spacing to work with");
   input.frame.unit *= r;
   for(Vec3& p : input.points)
     p /= r;

@@ -103,19 +103,33 @@ struct Carries_normals<PointRange,
                        std::void_t<decltype(std::declval<const PointRange&>().has_normal_map())> >
   : std::true_type {};
 
+/// Normals of extreme length are scaled: squares of lengths neither overflow nor vanish.
+inline Points with_usable_lengths(Points normals)
+{
+  constexpr double least = 1e-6, most = 1e6;
+  for(Vec3& n : normals) {
+    const double largest = n.cwiseAbs().maxCoeff();
+    if(largest > 0 && (largest < least || largest > most))
+      n = (n / largest).normalized();
+  }
+  return normals;
+}
+
 /// The caller's normals; empty if there are none. Zero vectors are kept: they are no hint.
 template <typename PointRange, typename NP>
 Points copy_normals(const char* function, const PointRange& range, const NP& np)
 {
   (void)range;
   if constexpr(has_parameter<NP, CGAL::internal_np::normal_t>) {
-    return copy_vectors(function, "normal_map", range,
-                        CGAL::parameters::get_parameter(np, CGAL::internal_np::normal_map));
+    return with_usable_lengths(
+      copy_vectors(function, "normal_map", range,
+                   CGAL::parameters::get_parameter(np, CGAL::internal_np::normal_map)));
   }
   else {
     if constexpr(Carries_normals<PointRange>::value)
       if(range.has_normal_map())
-        return copy_vectors(function, "normal_map", range, range.normal_map());
+        return with_usable_lengths(
+          copy_vectors(function, "normal_map", range, range.normal_map()));
     return Points();
   }
 }

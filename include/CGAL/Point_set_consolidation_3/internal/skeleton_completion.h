@@ -13,6 +13,9 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <array>
+#include <stdexcept>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -37,6 +40,8 @@ class Skeleton_completion {
   /// planes (cosine): beside a gap of the surface the data see it in their planes.
   static constexpr double most_inside = -0.35;
   static constexpr std::size_t inside_voters = 6;
+  /// Some minutes of work; outliers far away make skeletons that want more.
+  static constexpr double most_points = 1e7;
 
 public:
   /// `normals`: outward ones of the data.
@@ -56,10 +61,19 @@ public:
         is_trusted[i] = m_graph.nodes[i].radius > 0 &&
                         m_trusted(m_graph.nodes[i].position, axis_at(m_graph, neighbors, i));
     spread_trust(neighbors, is_trusted);
-    Skeleton_completed_points result;
+    std::vector<std::size_t> wanted;
+    double number = 0;
     for(std::size_t e = 0; e < m_graph.edges.size(); ++e)
-      if(is_wanted[e] && is_trusted[m_graph.edges[e][0]] && is_trusted[m_graph.edges[e][1]])
-        add_rings(e, result);
+      if(is_wanted[e] && is_trusted[m_graph.edges[e][0]] && is_trusted[m_graph.edges[e][1]]) {
+        wanted.push_back(e);
+        number += ring_points(e);
+      }
+    if(!(number <= most_points))
+      throw std::invalid_argument("the skeleton is too large for the spacing of the points: more than "
+                                  "ten million points would be tried around it");
+    Skeleton_completed_points result;
+    for(const std::size_t e : wanted)
+      add_rings(e, result);
     return result;
   }
 
@@ -109,6 +123,15 @@ private:
     for(const Neighbor& neighbor : near)
       sum += m_normals[neighbor.index].dot(normalized_or(x - m_data[neighbor.index], Vec3::Zero()));
     return sum < most_inside * double(near.size());
+  }
+
+  /// The number of points that are tried around an edge.
+  double ring_points(std::size_t edge) const
+  {
+    const Skeleton_node& a = m_graph.nodes[m_graph.edges[edge][0]];
+    const Skeleton_node& b = m_graph.nodes[m_graph.edges[edge][1]];
+    const double rings = std::ceil((b.position - a.position).norm() / m_spacing);
+    return rings * (6 + CGAL_PI * (a.radius + b.radius) / m_spacing);
   }
 
   void add_rings(std::size_t edge, Skeleton_completed_points& result) const
