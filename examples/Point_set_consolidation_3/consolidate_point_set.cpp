@@ -60,11 +60,11 @@ bool parse(Options& o, int argc, char** argv)
               "position of the scanner; repeated in the order of the property view");
   line.heading("Consolidation");
   line.option("--particles", "N", o.particles, "number of consolidated points")
-    .default_is("5 % of the input, at least 4000");
+    .at_least(1).default_is("5 % of the input, at least 4000");
   line.option("--select-percentage", "P", o.percentage, "the same in percent of the input")
     .above(0).between(0, 100).default_is("none");
   line.option("--radius", "LENGTH", o.radius, "support radius of WLOP, unit of the input")
-    .default_is("2 spacings of the output");
+    .above(0).default_is("2 spacings of the output");
   line.option("--wlop-iterations", "N", o.wlop_iterations, "iterations of WLOP").between(1, 10000);
   line.flag("--keep-density", o.keep_density, "do not weigh the input by its density: faster");
   line.heading("Deep points (lengths in spacings r of the consolidated points)");

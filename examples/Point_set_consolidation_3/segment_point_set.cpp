@@ -115,8 +115,8 @@ int main(int argc, char** argv)
                             Kernel::Vector_3(n.x(), n.y(), n.z()), 0);
     }
     Stage_times times;
-    const std::size_t count =
-      CGAL::density_peak_segment_point_set<CGAL::Parallel_if_available_tag>(
+    const std::size_t count = support::with_points_of(options.input, [&] {
+      return CGAL::density_peak_segment_point_set<CGAL::Parallel_if_available_tag>(
         elements, CGAL::Nth_of_tuple_property_map<2, Element>(),
         params::point_map(CGAL::Nth_of_tuple_property_map<0, Element>())
           .segmentation_method(methods.at(options.method))
@@ -126,6 +126,7 @@ int main(int argc, char** argv)
           .variation_penalty(options.penalty)
           .stage_times(std::ref(times))
           .callback([&](double fraction) { return progress(fraction); }));
+    });
     support::write_file(options.output, ply(elements, has_normals));
     if(!options.picture.empty()) {
       std::vector<support::Panel> panels(2);
@@ -138,15 +139,15 @@ int main(int argc, char** argv)
         panels[1].point_colors.push_back(support::label_color(std::size_t(std::get<2>(element))));
       support::write_panels(options.picture, panels);
     }
+    if(!options.json.empty()) {
+      support::Json json;
+      json["method"] = options.method;
+      json["points"] = elements.size();
+      json["segments"] = count;
+      for(const auto& stage : times)
+        json["stages"][stage.name]["seconds"] = stage.seconds;
+      support::write_json(options.json, json);
+    }
     support::report_files(options.quiet, {options.output, options.picture, options.json});
-    if(options.json.empty())
-      return;
-    support::Json json;
-    json["method"] = options.method;
-    json["points"] = elements.size();
-    json["segments"] = count;
-    for(const auto& stage : times)
-      json["stages"][stage.name]["seconds"] = stage.seconds;
-    support::write_json(options.json, json);
   });
 }

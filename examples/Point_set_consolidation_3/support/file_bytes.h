@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,19 @@ void check_folder(const std::string& file);
 
 /// \throws File_error if a coordinate is not finite; the message counts the points.
 void check_finite(const std::string& file, const std::vector<Vec3>& points);
+
+/// `work()`; a `std::invalid_argument`, which functions throw if they cannot work with the points, becomes a
+/// `File_error` of the file that these came from.
+template <typename Work>
+auto with_points_of(const std::string& file, const Work& work)
+{
+  try {
+    return work();
+  }
+  catch(const std::invalid_argument& error) {
+    file_error(file, error.what());
+  }
+}
 
 /// Takes numbers and lines from text, without a look at the locale.
 class Text_scanner {

@@ -1,0 +1,168 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  The Point_set_consolidation_3 authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Bad files, options and outputs for every program: the documented exit status, one line on the
+# standard error output that names the cause, and no file left behind. Argument: the folder of the programs.
+
+set -u
+programs=$(cd "$1" && pwd)
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+passed=0
+failed=0
+
+complain() {
+  echo "FAILED: $*"
+  failed=$((failed + 1))
+}
+
+# expect STATUS TEXT PROGRAM ARGUMENTS...: everything is written below $work/out, which must stay empty
+# unless the status is 0.
+expect() {
+  local status=$1 text=$2 program=$3
+  shift 3
+  rm -rf out
+  mkdir out
+  timeout 60 "$programs/$program" "$@" >stdout.txt 2>stderr.txt </dev/null
+  local got=$?
+  local lines
+  lines=$(wc -l <stderr.txt)
+  local before=$failed
+  [ "$got" -eq "$status" ] || complain "$program $*: status $got, not $status: $(head -c 300 stderr.txt)"
+  if [ "$status" -ne 0 ]; then
+    [ "$lines" -eq 1 ] || complain "$program $*: $lines lines on stderr: $(head -c 300 stderr.txt)"
+    grep -qF -- "$text" stderr.txt || complain "$program $*: no '$text' in: $(head -c 300 stderr.txt)"
+    [ -z "$(ls -A out)" ] || complain "$program $*: left behind $(ls -A out)"
+  fi
+  [ "$failed" -eq "$before" ] && passed=$((passed + 1))
+}
+
+# ---- inputs ---------------------------------------------------------------------------------
+
+# An ellipsoid of 400 points, spread by the golden angle, with normals.
+awk 'BEGIN { for(i = 0; i < 400; ++i) { z = 1 - (2 * i + 1) / 400; r = sqrt(1 - z * z); t = 2.39996323 * i;
+  x = r * cos(t); y = r * sin(t); print 2 * x, y, z, x, y, z } }' >good.xyz
+head -c 5000 /dev/urandom >garbage.bin
+head -c 300 good.xyz >garbage_tail.xyz
+printf '\001\002\377\376\000\000' >>garbage_tail.xyz
+: >empty.ply
+: >empty.xyz
+mkdir folder.ply
+echo "1 2" >two_columns.xyz
+echo "1 2 three" >words.xyz
+printf '1 2 3\nnan 0 0\n4 5 6\n' >nan.xyz
+printf '1 2 3\ninf 0 0\n4 5 6\n' >inf.xyz
+printf '0 0 0\n1 0 0\n0 1 0\n' >three.xyz
+for i in $(seq 50); do echo "1 2 3"; done >equal.xyz
+header='property float x\nproperty float y\nproperty float z\nend_header\n'
+printf 'ply\nformat ascii 1.0\nelement vertex 1000\n'"$header"'1 2 3\n' >lying.ply
+printf 'ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n'"$header"'12345678' >lying_binary.ply
+printf 'ply\nformat ascii 1.0\nelement vertex -5\n'"$header"'1 2 3\n' >negative.ply
+printf 'ply\nformat ascii 1.0\nelement vertex 99999999999999999999999\n'"$header"'1 2 3\n' >too_many.ply
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n' >no_end.ply
+printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n' >only_x.ply
+printf 'OFF\n1000 0 0\n1 2 3\n' >lying.off
+printf 'OFF\n4294967295000 1 1\n1 2 3\n' >huge.off
+printf 'LASF\000\000\000\000' >short.las
+head -c 400 garbage.bin >garbage.las
+for extension in ply off las; do cp garbage.bin garbage_1.$extension; done
+cp good.xyz good.ply
+cp good.xyz good.abc
+cp good.xyz good
+
+# ---- every program: usage, unreadable input, unwritable output --------------------------------
+
+bad_files="empty.ply empty.xyz folder.ply two_columns.xyz words.xyz garbage_tail.xyz nan.xyz inf.xyz lying.ply
+lying_binary.ply negative.ply too_many.ply no_end.ply only_x.ply lying.off huge.off short.las garbage.las
+garbage_1.ply garbage_1.off good.ply good.abc good missing.ply"
+
+for program in consolidate_point_set extract_skeleton segment_point_set reconstruct_surface; do
+  [ -x "$programs/$program" ] || { complain "$program is missing"; continue; }
+  expect 0 "" $program --help
+  grep -q "^Usage: $program" stdout.txt || complain "$program --help: no usage"
+  expect 0 "" $program --version
+  output=out/result.ply
+
+  expect 1 "INPUT" $program
+  expect 1 "--nonsense" $program good.xyz -o $output --nonsense
+  expect 1 "output" $program good.xyz -o
+  expect 1 "output" $program good.xyz --output
+  expect 1 "surplus.xyz" $program good.xyz surplus.xyz -o $output
+  expect 1 "--method" $program good.xyz -o $output --method nonsense
+  expect 1 "--threads" $program good.xyz -o $output --threads -1
+  expect 1 "--threads" $program good.xyz -o $output --threads two
+  expect 1 "--threads" $program good.xyz -o $output --threads 1e30
+  expect 1 "--threads" $program good.xyz -o $output --threads ""
+
+  for file in $bad_files; do
+    expect 2 "$file" $program $file -o $output
+  done
+  expect 2 "no_folder" $program good.xyz -o no_folder/result.ply
+  expect 2 "result.abc" $program good.xyz -o out/result.abc
+done
+
+# ---- options out of their range ---------------------------------------------------------------
+
+for option in "--omega 0" "--omega 171" "--omega nan" "--sigma-p -1" "--sigma-q 0" "--mu -1" "--mu-hat -0.1" \
+              "--epsilon 0" "--prior nonsense" "--data-term nonsense" "--particles 0" "--particles -4" \
+              "--select-percentage 0" "--select-percentage 101" "--wlop-iterations 0" "--radius 0" \
+              "--completed-spacing -1" "--scanner 1" "--upsample -3" "--mesh-distance 0"; do
+  # shellcheck disable=SC2086
+  expect 1 "${option%% *}" consolidate_point_set good.xyz -o out/result.ply $option
+done
+for option in "--samples 0" "--neighbors 1" "--weights nonsense" "--contraction-factor 0.5" "--threshold 0" \
+              "--iterations 0" "--sampling-radius 2" "--sampling-radius nan"; do
+  # shellcheck disable=SC2086
+  expect 1 "${option%% *}" extract_skeleton good.xyz -o out/result.ply $option
+done
+for option in "--penalty 0" "--radius -1" "--prominence -1" "--segments -1"; do
+  # shellcheck disable=SC2086
+  expect 1 "${option%% *}" segment_point_set good.xyz -o out/result.ply $option
+done
+for option in "--resolution 1" "--surface-weight 0" "--outside-factor 0.5"; do
+  # shellcheck disable=SC2086
+  expect 1 "${option%% *}" reconstruct_surface good.xyz -o out/result.ply --method skeleton-driven $option
+done
+
+# ---- input that no method can use ---------------------------------------------------------------
+
+for file in three.xyz equal.xyz; do
+  expect 2 "$file" consolidate_point_set $file -o out/result.ply
+done
+expect 2 "three.xyz" segment_point_set three.xyz -o out/result.ply
+expect 2 "missing.ply" reconstruct_surface good.xyz -o out/result.ply --method skeleton-driven --skeleton missing.ply
+expect 2 "garbage_1.ply" reconstruct_surface good.xyz -o out/result.ply --method skeleton-driven \
+  --skeleton garbage_1.ply
+
+# ---- outputs that cannot be written -------------------------------------------------------------
+
+expect 0 "" segment_point_set good.xyz -o out/result.ply --quiet
+[ -s stderr.txt ] && complain "--quiet is not quiet"
+expect 0 "" extract_skeleton good.xyz -o out/result.ply
+expect 0 "" consolidate_point_set good.xyz -o out/result.ply --particles 60 --json out/report.json
+if [ -c /dev/full ]; then
+  # The extension says the format: a link to the full disk.
+  ln -s /dev/full full.ply
+  ln -s /dev/full full.json
+  expect 2 "full.ply" segment_point_set good.xyz -o full.ply
+  expect 2 "full.ply" extract_skeleton good.xyz -o full.ply
+  expect 2 "full.ply" consolidate_point_set good.xyz -o full.ply --particles 60
+  # The result itself was written before.
+  expect 2 "full.json" segment_point_set good.xyz -o kept_result.ply --json full.json
+fi
+mkdir is_folder.ply
+expect 2 "is_folder.ply" segment_point_set good.xyz -o is_folder.ply
+if [ "$(id -u)" -ne 0 ]; then
+  mkdir locked
+  chmod a-w locked
+  expect 2 "locked" segment_point_set good.xyz -o locked/result.ply
+fi
+# What was there before a failure is still there.
+echo before >kept.ply
+expect 2 "nan.xyz" segment_point_set nan.xyz -o kept.ply
+[ "$(cat kept.ply)" = before ] || complain "an output that could not be written again was lost"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
