@@ -9,57 +9,11 @@
 #ifndef CGAL_DENSITY_PEAK_SEGMENT_POINT_SET_H
 #define CGAL_DENSITY_PEAK_SEGMENT_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
-#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_segmentation.h>
+#include <CGAL/Point_set_consolidation_3/internal/segmentation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
-namespace Point_set_consolidation_3 {
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-struct Segmentation_settings {
-  Segmentation_method method = Segmentation_method::SKELETON;
-  double radius = 0;        ///< h, in the caller's unit; 0: default
-  double prominence = 0.1;
-  Skeleton_segmentation_parameters skeleton;
-};
-
-inline Segmentation segment_points(Execution& execution, double share, const Points& world,
-                                   const Points& normals, const Segmentation_settings& settings)
-{
-  constexpr double default_radius = 0.15;  // of the diagonal: a body's width
-  if(settings.method != Segmentation_method::SKELETON) {
-    Stage stage(execution, "segmentation", share);
-    const double h =
-      settings.radius > 0 ? settings.radius : default_radius * bounding_box(world).diagonal();
-    if(!(h > 0))
-      return numbered_by_size(std::vector<std::size_t>(world.size(), 0));
-    return settings.method == Segmentation_method::PERSISTENCE
-             ? persistence_segments(execution, world, h, settings.prominence, settings.skeleton.count)
-             : density_peak_segments(execution, world, h, settings.skeleton.count);
-  }
-  Stage stage(execution, "segmentation", share);
-  Laplacian_skeleton_parameters parameters;
-  parameters.most_samples = 5000;  // seconds on large sets; parts do not depend on it
-  Execution silent = {execution.parallel, Progress(), {}};
-  Laplacian_skeletonization skeletonization(silent, world, normals, Points(), parameters);
-  skeletonization.find_rings();
-  stage.update(0.2);
-  skeletonization.contract_until_convergence();
-  stage.update(0.9);
-  skeletonization.thin();
-  skeletonization.recentre();
-  const Skeleton_graph skeleton = skeletonization.skeleton();
-  return Skeleton_segmentation(skeleton, world.size(), settings.skeleton).run(world);
-}
-
-}  // namespace internal
-/// \endcond
-}  // namespace Point_set_consolidation_3
 
 /*!
   \ingroup PkgPointSetConsolidation3Skeletons

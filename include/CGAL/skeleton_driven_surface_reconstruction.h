@@ -164,7 +164,8 @@ bool skeleton_driven_surface_reconstruction(
   Execution execution = make_execution<ConcurrencyTag>(callback_of(cgal));
   Surface_triangles surface;
   try {
-    surface = reconstruct_from_skeleton(execution, positions, to_local(std::move(graph), frame), p);
+    surface = reconstruct_from_skeleton(execution, positions, Points(),
+                                        to_local(std::move(graph), frame), {}, p);
     execution.progress.finish();
   }
   catch(const Cancelled&) {

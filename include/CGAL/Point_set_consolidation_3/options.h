@@ -93,10 +93,10 @@ enum class Segmentation_method : unsigned char {
 
 /// What the surface of a segment is made from, in `feature_enhanced_surface_reconstruction()`.
 enum class Part_method : unsigned char {
-  /// as `SKELETON` if the skeleton is given and data confirm most of the segment's part of it, as `DATA` otherwise:
-  /// with centres and radii of an extracted skeleton the cylinders do more harm than good
+  /// as `SKELETON` if the skeleton is given, with cylinders if data confirm most of the segment's part of it; as `DATA`
+  /// otherwise: centres and radii of an extracted skeleton do more harm than good where data are missing
   AUTOMATIC,
-  /// from the data alone; the skeleton only tells inside from outside
+  /// from the points and their normals alone
   DATA,
   /// from the data, and where they are missing from generalised cylinders around the skeleton
   SKELETON

@@ -105,21 +105,34 @@ public:
   /// w |u(p) - k|^2 with u(p) interpolated in the cell of p; nothing if the cell is not in the domain.
   void add_point(double w, const Vec3& p, double k)
   {
-    Lattice_point cell;
-    double t[3];
-    for(int axis = 0; axis < 3; ++axis) {
-      const double floor = std::floor(p[axis]);
-      cell[std::size_t(axis)] = std::int64_t(floor);
-      t[axis] = p[axis] - floor;
-    }
     std::array<std::size_t, 8> nodes;
-    if(!m_lattice.corners(cell, nodes))
+    double t[3];
+    if(!find_cell(p, nodes, t))
       return;
     double coefficients[8];
     for(std::size_t c = 0; c < 8; ++c)
       coefficients[c] = (c & 1 ? t[0] : 1 - t[0]) * (c & 2 ? t[1] : 1 - t[1]) *
                         (c & 4 ? t[2] : 1 - t[2]);
     add(w, nodes.data(), coefficients, 8, k);
+  }
+
+  /// w |grad u(p) - g|^2 with u interpolated in the cell of p; nothing if the cell is not in the domain.
+  void add_gradient(double w, const Vec3& p, const Vec3& g)
+  {
+    std::array<std::size_t, 8> nodes;
+    double t[3];
+    if(!find_cell(p, nodes, t))
+      return;
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      double coefficients[8];
+      for(std::size_t c = 0; c < 8; ++c) {
+        coefficients[c] = c >> axis & 1 ? 1 : -1;
+        for(std::size_t other = 0; other < 3; ++other)
+          if(other != axis)
+            coefficients[c] *= c >> other & 1 ? t[other] : 1 - t[other];
+      }
+      add(w, nodes.data(), coefficients, 8, g[Eigen::Index(axis)]);
+    }
   }
 
   void add_node(double w, std::size_t node, double k)
@@ -153,6 +166,18 @@ public:
   }
 
 private:
+  /// The corners of the cell of p and its place in there.
+  bool find_cell(const Vec3& p, std::array<std::size_t, 8>& nodes, double* t) const
+  {
+    Lattice_point cell;
+    for(int axis = 0; axis < 3; ++axis) {
+      const double floor = std::floor(p[axis]);
+      cell[std::size_t(axis)] = std::int64_t(floor);
+      t[axis] = p[axis] - floor;
+    }
+    return m_lattice.corners(cell, nodes);
+  }
+
   struct Offset {
     int x, y, z;
   };

@@ -30,6 +30,7 @@ namespace internal {
 struct Field_parameters {
   double smoothness_weight = 1;   ///< omega_1
   double surface_weight = 50;     ///< omega_2; the paper's 5 is too smooth for data of usual density
+  double normal_weight = 0;       ///< of the points' normals, if there are any; not in the paper
   double skeleton_weight = 0.5;   ///< omega_3
   double outside_weight = 0.005;  ///< omega_4
   double outside_factor = 4;      ///< K: outside is farther from the skeleton than K radii
@@ -53,15 +54,19 @@ class Signed_distance_field {
   struct Sample {
     Vec3 position;
     double radius;
+    bool is_constraint;
   };
 
 public:
-  Signed_distance_field(Execution& execution, const Points& points, const Skeleton_graph& skeleton,
+  /// `normals`: outward ones of the points, or empty. `is_constraint`: edges along which the field is minus the
+  /// radius; empty: all.
+  Signed_distance_field(Execution& execution, const Points& points, const Points& normals,
+                        const Skeleton_graph& skeleton, const std::vector<char>& is_constraint,
                         const Field_parameters& parameters)
-    : m_execution(execution), m_parameters(parameters), m_points(points)
+    : m_execution(execution), m_parameters(parameters), m_points(points), m_normals(normals)
   {
     place_box(skeleton);
-    sample(skeleton);
+    sample(skeleton, is_constraint);
   }
 
   Distance_field compute(Stage& stage)
@@ -111,18 +116,24 @@ private:
   }
 
   /// Points along the edges, and the nodes, with radii between those of the ends.
-  void sample(const Skeleton_graph& skeleton)
+  void sample(const Skeleton_graph& skeleton, const std::vector<char>& is_constraint)
   {
     for(const Skeleton_node& node : skeleton.nodes)
-      m_samples.push_back({node.position, node.radius});
+      m_samples.push_back({node.position, node.radius, is_constraint.empty()});
+    for(std::size_t k = 0; k < is_constraint.size(); ++k)
+      if(is_constraint[k])
+        for(const std::size_t end : skeleton.edges[k])
+          m_samples[end].is_constraint = true;
     for(const Skeleton_edge& e : skeleton.edges) {
+      const bool constrains =
+        is_constraint.empty() || is_constraint[std::size_t(&e - skeleton.edges.data())];
       const Skeleton_node& a = skeleton.nodes[e[0]];
       const Skeleton_node& b = skeleton.nodes[e[1]];
       const int count = int(std::ceil(skeleton.edge_length(e) / (sample_spacing * m_diagonal)));
       for(int k = 1; k < count; ++k) {
         const double t = double(k) / double(count);
         m_samples.push_back({a.position + t * (b.position - a.position),
-                             a.radius + t * (b.radius - a.radius)});
+                             a.radius + t * (b.radius - a.radius), constrains});
       }
     }
   }
@@ -299,19 +310,21 @@ private:
   }
 
   /// In units of a spacing h, the smoothness of a field U is the integral of U''^2 / h over space, the other terms are
-  /// those of U^2 / h^4 over the surface, U^2 / h^2 at each sample of the skeleton and U^2 / h^5 over the outside. Their
+  /// those of U^2 / h^4 and |grad U - n|^2 / h^2 over the surface, U^2 / h^2 at each sample of the skeleton and U^2 / h^5 over the outside. Their
   /// weights are those of the finest level; a level with s times its spacing has the same energy
-  /// with weights times s^3, s and s^4.
+  /// with weights times s^3, s, s and s^4.
   void solve(const std::vector<char>& is_fixed)
   {
     const double s = m_field.frame.unit / m_spacing;
     Field_equations equations(m_field.lattice, is_fixed, m_field.values);
     equations.add_smoothness(m_parameters.smoothness_weight);
-    add_surface(equations, s * s * s * m_parameters.surface_weight);
+    add_surface(equations, s * s * s * m_parameters.surface_weight,
+                s * m_parameters.normal_weight);
     const Points positions = local_sample_positions();
     for(std::size_t i = 0; i < m_samples.size(); ++i)
-      equations.add_point(s * m_parameters.skeleton_weight, positions[i],
-                          -m_samples[i].radius / m_field.frame.unit);
+      if(m_samples[i].is_constraint)
+        equations.add_point(s * m_parameters.skeleton_weight, positions[i],
+                            -m_samples[i].radius / m_field.frame.unit);
     add_outside(equations, s * s * s * s * m_parameters.outside_weight, positions, is_fixed);
     std::vector<double> values = equations.solve();
     if(values.empty())
@@ -319,9 +332,10 @@ private:
     m_field.values = std::move(values);
   }
 
-  /// u = 0 at the points. Each cell has the same weight, however many points it has: the result does not
+  /// u = 0 at the points, and grad u is the normal: without, the skeleton alone tells inside from outside, and thin
+  /// or half seen parts get handles and bulges. Each cell has the same weight, however many points it has: the result does not
   /// depend on the density of the data.
-  void add_surface(Field_equations& equations, double cell_weight) const
+  void add_surface(Field_equations& equations, double value_weight, double normal_weight) const
   {
     std::vector<std::pair<Lattice_point, std::size_t> > cells(m_points.size());
     for(std::size_t i = 0; i < m_points.size(); ++i)
@@ -330,9 +344,13 @@ private:
     for(std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
       while(end < cells.size() && cells[end].first == cells[begin].first)
         ++end;
-      const double weight = cell_weight / double(end - begin);
-      for(std::size_t k = begin; k < end; ++k)
-        equations.add_point(weight, m_field.frame.to_local(m_points[cells[k].second]), 0);
+      const double share = 1 / double(end - begin);
+      for(std::size_t k = begin; k < end; ++k) {
+        const Vec3 p = m_field.frame.to_local(m_points[cells[k].second]);
+        equations.add_point(share * value_weight, p, 0);
+        if(!m_normals.empty())
+          equations.add_gradient(share * normal_weight, p, m_normals[cells[k].second]);
+      }
     }
   }
 
@@ -359,6 +377,7 @@ private:
   Execution& m_execution;
   Field_parameters m_parameters;
   const Points& m_points;
+  const Points& m_normals;
   std::vector<Sample> m_samples;
   Vec3 m_lower = Vec3::Zero(), m_sides = Vec3::Zero();
   double m_spacing = 1, m_diagonal = 1;

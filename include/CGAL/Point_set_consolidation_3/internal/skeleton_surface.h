@@ -74,10 +74,11 @@ inline Surface_triangles components_with_skeleton(const Surface_triangles& surfa
   return result;
 }
 
-/// Points and skeleton in local coordinates. The surface may be empty, if the resolution is too low for the skeleton's
+/// Points and skeleton in local coordinates; `normals` and `is_constraint` as in the field. The surface may be empty, if the resolution is too low for the skeleton's
 /// radii.
 inline Surface_triangles reconstruct_from_skeleton(Execution& execution, const Points& points,
-                                                   Skeleton_graph skeleton,
+                                                   const Points& normals, Skeleton_graph skeleton,
+                                                   const std::vector<char>& is_constraint,
                                                    const Field_parameters& parameters)
 {
   {
@@ -87,7 +88,8 @@ inline Surface_triangles reconstruct_from_skeleton(Execution& execution, const P
   Distance_field field;
   {
     Stage stage(execution, "field", 0.88);
-    field = Signed_distance_field(execution, points, skeleton, parameters).compute(stage);
+    field = Signed_distance_field(execution, points, normals, skeleton, is_constraint, parameters)
+              .compute(stage);
   }
   Stage stage(execution, "surface", 0.1);
   Surface_triangles surface = Marching_tetrahedra(field.lattice, field.values).run();

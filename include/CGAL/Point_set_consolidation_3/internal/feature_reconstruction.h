@@ -1,0 +1,207 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FEATURE_RECONSTRUCTION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FEATURE_RECONSTRUCTION_H
+
+#include <CGAL/Point_set_consolidation_3/internal/feature_preprocessing.h>
+#include <CGAL/Point_set_consolidation_3/internal/segmentation.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_completion.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_surface.h>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Feature-enhanced surfaces paper, section V: features, skeleton, segments, completion and one field for all.
+
+/// Segment of every skeleton edge: that of most of its ends' points, ties to the smaller number.
+inline std::vector<std::size_t> segments_of_edges(const Skeleton_graph& graph,
+                                                  const Segmentation& segmentation)
+{
+  std::vector<std::size_t> result;
+  for(const Skeleton_edge& e : graph.edges) {
+    std::vector<std::size_t> votes(segmentation.count, 0);
+    for(const std::size_t end : e)
+      for(const std::size_t p : graph.nodes[end].points)
+        ++votes[segmentation.labels[p]];
+    result.push_back(
+      std::size_t(std::max_element(votes.begin(), votes.end()) - votes.begin()));
+  }
+  return result;
+}
+
+/// Share of each segment's skeleton length that the data confirm.
+inline std::vector<double> confirmed_shares(const Skeleton_graph& graph, const Points& points,
+                                            const std::vector<std::size_t>& segment, std::size_t count)
+{
+  const Trusted_nodes trusted(points);
+  const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
+  std::vector<char> is_trusted;
+  for(std::size_t i = 0; i < graph.nodes.size(); ++i)
+    is_trusted.push_back(trusted(graph.nodes[i].position, axis_at(graph, neighbors, i)));
+  std::vector<double> confirmed(count, 0.), length(count, 0.);
+  for(std::size_t e = 0; e < graph.edges.size(); ++e) {
+    const double l = graph.edge_length(graph.edges[e]);
+    length[segment[e]] += l;
+    confirmed[segment[e]] +=
+      0.5 * l * (is_trusted[graph.edges[e][0]] + is_trusted[graph.edges[e][1]]);
+  }
+  for(std::size_t s = 0; s < count; ++s)
+    confirmed[s] = length[s] > 0 ? confirmed[s] / length[s] : 0;
+  return confirmed;
+}
+
+/// Whether denoising gains more than it flattens curved parts. Points in units of their spacing.
+inline bool is_noisy(const Execution& execution, const Points& points)
+{
+  constexpr double least_noise = 0.15;  // a tube of radius 9 without noise has 0.06
+  Normal_parameters parameters;
+  parameters.plane_neighbors = parameters.neighbors = 12;
+  return Normal_optimization(execution, points, parameters).noise() > least_noise;
+}
+
+struct Feature_enhanced_settings {
+  Segmentation_settings segmentation;
+  std::vector<Part_method> methods;   ///< of the segments; missing ones are automatic
+  bool enhances = true;
+  bool is_enhancement_automatic = true;  ///< only if there is noise
+  double sharpness_angle = 20;
+  double upsampling_factor = 1;
+  Field_parameters field = with_normals();
+
+private:
+  static Field_parameters with_normals()
+  {
+    Field_parameters field;
+    field.normal_weight = 10;  // 5 leaves unseen parts worse, 20 makes handles
+    return field;
+  }
+};
+
+struct Feature_enhanced_result {
+  Segmentation segmentation;
+  Skeleton_graph skeleton;
+  Oriented_points fused;              ///< enhanced, up-sampled and completed points
+  Surface_triangles surface;
+};
+
+/// The whole 2018 pipeline on the caller's points; `given` may be empty (then the skeleton is extracted).
+inline Feature_enhanced_result
+reconstruct_feature_enhanced(Execution& execution, const Points& world, Points normals,
+                             const Skeleton_graph& given, const Feature_enhanced_settings& settings)
+{
+  constexpr double confirmed_enough = 0.6;  // of a segment's length, to complete it automatically
+  Feature_enhanced_result result;
+  Frame frame;
+  Points points;
+  {
+    Stage stage(execution, "features", 0.2);
+    frame = data_frame(execution, world, world.size());
+    require_spacing(frame);
+    points = local_points(frame, world);
+    if(normals.empty())
+      normals = estimated_normals(execution, points);
+    stage.update(0.3);
+    if(settings.is_enhancement_automatic ? is_noisy(execution, points) : settings.enhances) {
+      Feature_parameters features;
+      features.oriented = true;
+      features.sharpness_angle = settings.sharpness_angle;
+      enhance_features(execution, points, normals, features);
+    }
+  }
+  {
+    Stage stage(execution, "skeleton", 0.15);
+    if(!given.nodes.empty()) {
+      result.skeleton = to_local(given, frame);
+      Points nodes;
+      for(Skeleton_node& node : result.skeleton.nodes) {
+        nodes.push_back(node.position);
+        node.points.clear();
+      }
+      const Nearest_neighbors tree(nodes);
+      for(std::size_t i = 0; i < points.size(); ++i)
+        result.skeleton.nodes[tree.nearest(points[i]).index].points.push_back(i);
+      complete_radii(result.skeleton, points);
+    }
+    else {
+      Laplacian_skeleton_parameters parameters;
+      parameters.most_samples = 5000;
+      Execution silent = {execution.parallel, Progress(), {}};
+      Laplacian_skeletonization skeletonization(silent, points, normals, Points(), parameters);
+      skeletonization.contract_until_convergence();
+      stage.update(0.8);
+      skeletonization.thin();
+      skeletonization.recentre();
+      skeletonization.extend_tips();
+      result.skeleton = skeletonization.skeleton();
+    }
+  }
+  if(settings.segmentation.method == Segmentation_method::SKELETON)
+    result.segmentation =
+      Skeleton_segmentation(result.skeleton, points.size(), settings.segmentation.skeleton)
+        .run(points);
+  else {
+    Segmentation_settings local = settings.segmentation;
+    local.radius /= frame.unit;
+    result.segmentation = segment_points(execution, 0.05, points, normals, local);
+  }
+
+  Oriented_points& fused = result.fused;
+  fused.points = points;
+  fused.normals = normals;
+  if(settings.upsampling_factor > 1) {
+    Edge_aware_parameters upsampling;
+    upsampling.oriented = true;
+    upsampling.sharpness_angle = settings.sharpness_angle;
+    upsampling.number_of_points = std::size_t(settings.upsampling_factor * double(points.size()));
+    upsampling.neighbor_radius = 0;
+    upsampling.plane_width = 0;
+    fused = upsample_at_edges(execution, 0.1, points, normals, upsampling);
+  }
+
+  // parts: which are completed along the skeleton
+  const std::vector<std::size_t> segment = segments_of_edges(result.skeleton, result.segmentation);
+  const std::vector<double> confirmed =
+    confirmed_shares(result.skeleton, points, segment, result.segmentation.count);
+  std::vector<char> is_wanted, is_constraint;
+  for(const std::size_t s : segment) {
+    const Part_method method =
+      s < settings.methods.size() ? settings.methods[s] : Part_method::AUTOMATIC;
+    is_wanted.push_back(method == Part_method::SKELETON ||
+                        (method == Part_method::AUTOMATIC && !given.nodes.empty() &&
+                         confirmed[s] >= confirmed_enough));
+    // an extracted skeleton has wrong centres and radii beside missing data, where normals know better
+    is_constraint.push_back(method == Part_method::SKELETON ||
+                            (method == Part_method::AUTOMATIC && !given.nodes.empty()));
+  }
+  const Skeleton_completion completion(points, normals, 1, result.skeleton);
+  const Skeleton_completed_points completed = completion.run(is_wanted, !given.nodes.empty());
+  fused.points.insert(fused.points.end(), completed.points.begin(), completed.points.end());
+  fused.normals.insert(fused.normals.end(), completed.normals.begin(), completed.normals.end());
+
+  // parts are fused in one field: fields of parts close themselves at the cuts
+  const Bounding_box box = bounding_box(fused.points);
+  Frame field_frame;
+  field_frame.origin = box.centre();
+  field_frame.unit = box.sides().maxCoeff();
+  result.surface =
+    reconstruct_from_skeleton(execution, local_points(field_frame, fused.points), fused.normals,
+                              to_local(result.skeleton, field_frame), is_constraint,
+                              settings.field);
+  for(Vec3& v : result.surface.vertices)
+    v = frame.to_world(field_frame.to_world(v));
+  make_world(frame, fused.points);
+  result.skeleton = to_world(std::move(result.skeleton), frame);
+  return result;
+}
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FEATURE_RECONSTRUCTION_H
