@@ -409,7 +409,7 @@ Figure_result figure_7(const std::string& data)
 {
   Figure_result figure;
   figure.shares_camera = false;
-  for(const char* model : {"man", "armadillo"}) {
+  for(const char* model : {"man", "armadillo", "refined_elephant", "bear", "cow"}) {
     const Triangle_mesh truth = figure_model(data, model);
     Scanner_options options;
     options.views = 3;
