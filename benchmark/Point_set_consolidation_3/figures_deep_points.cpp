@@ -612,6 +612,41 @@ Figure_result table_1(const std::string& data)
   return figure;
 }
 
+/// Tubes seen from one side: deep points alone, with the data term for tubes, and the completed input.
+Figure_result tubes(const std::string&)
+{
+  const std::vector<std::pair<const char*, Shape> > shapes = {
+    {"torus", synthetic::torus(1, 0.35)},
+    {"Y", synthetic::united({synthetic::capsule(Vec3(0, 0, 0), Vec3(0, 0, -2), 0.35),
+                             synthetic::capsule(Vec3(0, 0, 0), Vec3(1.4, 0, 1.4), 0.35),
+                             synthetic::capsule(Vec3(0, 0, 0), Vec3(-1.4, 0, 1.4), 0.35)})},
+    {"capsule", synthetic::capsule(Vec3(0, 0, 0), Vec3(0, 0, 4), 0.5)}};
+  Figure_result figure;
+  for(const auto& [name, shape] : shapes) {
+    const Triangle_mesh truth = normalized(shape_mesh(shape, 130));
+    const Scan scan = scan_of(truth, 1, 20000);
+    const Judge judge(truth, truth_cloud(scan));
+    Figure_table table{name, mesh_columns(), {}};
+    figure.panels.push_back(cloud_panel(std::string(name) + ", one view", scan.cloud));
+    const auto add = [&](const std::string& title, const Point_cloud& points) {
+      const Triangle_mesh mesh = poisson(points);
+      table.rows.push_back({title, mesh_row(judge.mesh(mesh))});
+      figure.panels.push_back(mesh_panel("Poisson of " + title, mesh));
+    };
+    add("the scan", run_method("direct", scan.cloud));
+    for(const double spacing : {0., 1.})
+      add(spacing > 0 ? "deep points" : "deep points, not filled",
+          deep_points(scan.cloud, 4000, [&](Consolidation_options& o) {
+            o.data_term = "normal";
+            o.completed_spacing = spacing;
+          }).consolidated);
+    add("the completed input", run_method("completion", scan.cloud));
+    figure.tables.push_back(table);
+  }
+  figure.columns = 5;
+  return figure;
+}
+
 /// What the confidence of completed points says: the share of them that is less than one spacing of the particles
 /// off the true surface.
 Figure_result confidence_curve(const std::string& data)
@@ -678,7 +713,8 @@ std::vector<Paper_figure> deep_points_figures()
     {"deep_figure_15", "edge-aware resampling recovers detail and sharp features", figure_15},
     {"deep_figure_16", "features of different scales", figure_16},
     {"deep_figure_17", "volume-preserving, minimal-volume and flat priors", figure_17},
-    {"deep_confidence", "confidence of completed points against their true error", confidence_curve},
+    {"deep_tubes", "tubes seen from one side: deep points alone and the completed input", tubes},
+    {"deep_confidence", ""confidence of completed points against their true error", confidence_curve},
     {"deep_table_1", "times of WLOP and of deep points", table_1},
   };
 }
