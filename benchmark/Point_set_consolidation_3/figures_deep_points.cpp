@@ -714,7 +714,7 @@ std::vector<Paper_figure> deep_points_figures()
     {"deep_figure_16", "features of different scales", figure_16},
     {"deep_figure_17", "volume-preserving, minimal-volume and flat priors", figure_17},
     {"deep_tubes", "tubes seen from one side: deep points alone and the completed input", tubes},
-    {"deep_confidence", ""confidence of completed points against their true error", confidence_curve},
+    {"deep_confidence", "confidence of completed points against their true error", confidence_curve},
     {"deep_table_1", "times of WLOP and of deep points", table_1},
   };
 }

@@ -41,8 +41,11 @@ int main()
     if(p.z() < 0.6)
       points.push_back(CGAL::ORIGIN + random.get_double(0.99, 1.01) * (p - CGAL::ORIGIN));
   }
-  for(int i = 0; i < 20; ++i)
-    points.emplace_back(2, 0.2 * i, 3);
+  while(points.size() < 8020) {
+    const Point p(random.get_double(-3, 3), random.get_double(-3, 3), random.get_double(-3, 3));
+    if((p - CGAL::ORIGIN).squared_length() > 3)
+      points.push_back(p);
+  }
 
   // outliers go
   std::vector<Point> clean;

@@ -39,7 +39,7 @@ int main()
   const std::vector<Point> points = incomplete_ring();
   Skeleton skeleton;
   CGAL::extract_laplacian_contraction_skeleton<Concurrency_tag>(
-    points, skeleton, params::extend_tips(false));
+    points, skeleton, params::extend_tips(false).k_neighbors(30));
   std::cout << "skeleton: " << CGAL::number_of_skeleton_components(skeleton) << " components, "
             << CGAL::number_of_skeleton_cycles(skeleton) << " cycles\n";
 

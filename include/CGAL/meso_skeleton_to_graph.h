@@ -30,7 +30,9 @@ namespace CGAL {
 */
 template <typename Kernel>
 struct Meso_skeleton_3 {
+  /// curve, sheet, end or unanchored
   typedef Point_set_consolidation_3::Meso_label Label;
+  /// number type of the coordinates
   typedef typename Kernel::FT FT;
 
   /// All vertices, those of sheets too, with their radii and the deep points they stand for. The edges are
