@@ -119,10 +119,12 @@ bool is_well_treated(const Function& function, const Cloud& cloud, int index)
   }
   alarm(0);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  // The plain capsule, and the same elsewhere or in another unit, have a result everywhere.
+  // The plain capsule, and the same elsewhere or in another unit, have a result everywhere; turned inside out it
+  // bounds no solid, and reconstruction may say so.
   if(is_rejected && what_is_wrong.empty() && cloud.has_normals &&
      (cloud.name == "open capsule" || cloud.name == "georeferenced" || cloud.name == "unit of 1e-20" ||
-      cloud.name == "unit of 1e20" || cloud.name == "normals flipped" || cloud.name == "normals long"))
+      cloud.name == "unit of 1e20" || (cloud.name == "normals flipped" && !contains(function.name, "reconstruction")) ||
+      cloud.name == "normals long"))
     what_is_wrong = "this input has a result";
   std::cout << (is_rejected ? "" : std::to_string(output.points.size()) + " points ")
             << (what_is_wrong.empty() ? "" : "FAULT: ") << what_is_wrong << std::endl;

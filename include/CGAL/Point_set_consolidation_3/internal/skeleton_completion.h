@@ -166,7 +166,7 @@ private:
         if(m_trusted.distance(x) < gap || is_inside(x))
           continue;
         result.points.push_back(x);
-        result.normals.push_back(n);
+        result.normals.push_back(normalized_or(n, n));  // lengths near the least number are rough
         result.edges.push_back(edge);
       }
     }
