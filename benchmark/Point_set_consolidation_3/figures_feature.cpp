@@ -3,6 +3,7 @@
 
 // Figures of the feature-enhanced surfaces paper. Its scans are not public: CGAL's models stand in for them.
 
+#include "cgal_conversion.h"
 #include "mesh_tree.h"
 #include "methods.h"
 #include "paper_figure.h"
@@ -379,30 +380,11 @@ Triangle_mesh feature_enhanced(const Point_cloud& cloud, const support::Segment_
                                const std::vector<Part_method>& methods)
 {
   const std::vector<Oriented_point> points = to_pairs(cloud);
-  CGAL::Curve_skeleton_3<Kernel> skeleton(graph.vertices.size());
-  for(std::size_t v = 0; v < graph.vertices.size(); ++v) {
-    const Vec3& p = graph.vertices[v];
-    skeleton[v].point = Point(p.x(), p.y(), p.z());
-    skeleton[v].radius = graph.radius[v];
-  }
-  for(const auto& edge : graph.edges)
-    add_edge(edge[0], edge[1], skeleton);
+  auto skeleton = support::to_skeleton<CGAL::Curve_skeleton_3<Kernel> >(graph);
   Mesh mesh;
   CGAL::feature_enhanced_surface_reconstruction<Tag>(
     points, skeleton, mesh, maps().segment_methods(methods).grid_resolution(std::size_t(96)));
-  Triangle_mesh result;
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const Point& p = mesh.point(v);
-    result.vertices.emplace_back(p.x(), p.y(), p.z());
-  }
-  for(const Mesh::Face_index face : mesh.faces()) {
-    std::array<std::size_t, 3> corners;
-    std::size_t k = 0;
-    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-      corners[k++] = std::size_t(v);
-    result.faces.push_back(corners);
-  }
-  return result;
+  return support::to_triangle_mesh(mesh);
 }
 
 Figure_result figure_7(const std::string& data)

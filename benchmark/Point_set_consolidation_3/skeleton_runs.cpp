@@ -3,6 +3,8 @@
 
 #include "skeleton_runs.h"
 
+#include "cgal_conversion.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
@@ -57,20 +59,6 @@ void describe(const Skeleton& skeleton, Skeleton_run& run)
   run.tips = 0;
   for(std::size_t v = 0; v < num_vertices(skeleton); ++v)
     run.tips += degree(v, skeleton) == 1;
-}
-
-Skeleton to_skeleton(const support::Segment_graph& graph)
-{
-  Skeleton skeleton(graph.vertices.size());
-  for(std::size_t v = 0; v < graph.vertices.size(); ++v) {
-    const Vec3& p = graph.vertices[v];
-    skeleton[v].point = Point(p.x(), p.y(), p.z());
-    if(!graph.radius.empty())
-      skeleton[v].radius = graph.radius[v];
-  }
-  for(const auto& edge : graph.edges)
-    add_edge(edge[0], edge[1], skeleton);
-  return skeleton;
 }
 
 }  // namespace
@@ -135,7 +123,7 @@ Skeleton_run l1_medial_skeleton(const std::vector<Vec3>& positions, const std::v
 
 Skeleton_run edited(const Skeleton_run& run, const std::string& edits)
 {
-  Skeleton skeleton = to_skeleton(run.graph);
+  Skeleton skeleton = support::to_skeleton<Skeleton>(run.graph);
   std::istringstream stream(edits);
   CGAL::Curve_skeleton_editing::apply_edits(skeleton, stream);
   Skeleton_run result = run;
@@ -147,7 +135,7 @@ Triangle_mesh skeleton_driven_mesh(const std::vector<Vec3>& positions, const sup
                                    const Field_options& options)
 {
   const std::vector<Point> points = to_points(positions);
-  const Skeleton skeleton = to_skeleton(graph);
+  const Skeleton skeleton = support::to_skeleton<Skeleton>(graph);
   Mesh mesh;
   CGAL::skeleton_driven_surface_reconstruction<Tag>(points, skeleton, mesh,
                                                     params::grid_resolution(options.resolution)
@@ -155,19 +143,7 @@ Triangle_mesh skeleton_driven_mesh(const std::vector<Vec3>& positions, const sup
                                                       .surface_weight(options.surface_weight)
                                                       .outside_weight(options.outside_weight)
                                                       .outside_factor(options.outside_factor));
-  Triangle_mesh result;
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const Point& p = mesh.point(v);
-    result.vertices.emplace_back(p.x(), p.y(), p.z());
-  }
-  for(const Mesh::Face_index face : mesh.faces()) {
-    std::array<std::size_t, 3> corners;
-    std::size_t k = 0;
-    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-      corners[k++] = std::size_t(v);
-    result.faces.push_back(corners);
-  }
-  return result;
+  return support::to_triangle_mesh(mesh);
 }
 
 std::vector<Vec3> even_samples(const Triangle_mesh& mesh, std::size_t count)

@@ -1,6 +1,7 @@
 // Copyright (c) 2026  The Point_set_consolidation_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cgal_conversion.h"
 #include "command_line.h"
 #include "json.h"
 #include "picture.h"
@@ -64,23 +65,6 @@ support::Triangle_mesh poisson(Run& run)
   return support::poisson_mesh(cloud.points, cloud.normals, run.options.poisson);
 }
 
-support::Triangle_mesh to_triangle_mesh(const Mesh& mesh)
-{
-  support::Triangle_mesh result;
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const Point& p = mesh.point(v);
-    result.vertices.emplace_back(p.x(), p.y(), p.z());
-  }
-  for(const Mesh::Face_index face : mesh.faces()) {
-    std::array<std::size_t, 3> corners;
-    std::size_t k = 0;
-    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-      corners[k++] = std::size_t(v);
-    result.faces.push_back(corners);
-  }
-  return result;
-}
-
 support::Triangle_mesh skeleton_driven(Run& run)
 {
   const Options& options = run.options;
@@ -109,7 +93,7 @@ support::Triangle_mesh skeleton_driven(Run& run)
       .stage_times(std::ref(run.times))
       .callback([&](double fraction) { return run.progress(fraction); }));
 
-  return to_triangle_mesh(mesh);
+  return support::to_triangle_mesh(mesh);
 }
 
 // Words NAME, or S:NAME for segment S only.
@@ -176,7 +160,7 @@ support::Triangle_mesh feature_enhanced(Run& run)
     reconstruct(positions.enhance_features(options.denoise == "yes"));
   else
     reconstruct(oriented.enhance_features(options.denoise == "yes"));
-  return to_triangle_mesh(mesh);
+  return support::to_triangle_mesh(mesh);
 }
 
 using Method = support::Triangle_mesh (*)(Run&);

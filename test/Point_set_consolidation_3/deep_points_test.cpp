@@ -5,7 +5,7 @@
 
 #undef NDEBUG
 
-#include "synthetic_scans.h"
+#include "scan_rays.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
@@ -27,30 +27,9 @@ namespace psc = CGAL::Point_set_consolidation_3;
 namespace params = CGAL::Point_set_consolidation_3::parameters;
 using synthetic::Scan;
 using synthetic::Shape;
-using Vec3 = Eigen::Vector3d;
 
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef Kernel::Point_3 Point;
-typedef Kernel::Vector_3 Vector;
 typedef CGAL::Deep_point_3<Kernel> Deep_point;
 typedef CGAL::Completed_point_3<Kernel> Completed_point;
-typedef std::pair<Point, Vector> Point_and_direction;
-typedef CGAL::First_of_pair_property_map<Point_and_direction> First;
-typedef CGAL::Second_of_pair_property_map<Point_and_direction> Second;
-typedef std::vector<Point_and_direction> Rays;
-
-Rays rays(const Scan& scan)
-{
-  Rays result;
-  for(std::size_t i = 0; i < scan.points.size(); ++i) {
-    const Vec3 &p = scan.points[i], &d = scan.directions[i];
-    result.emplace_back(Point(p.x(), p.y(), p.z()), Vector(d.x(), d.y(), d.z()));
-  }
-  return result;
-}
-
-Vec3 vec3(const Point& p) { return Vec3(p.x(), p.y(), p.z()); }
-Vec3 vec3(const Vector& v) { return Vec3(v.x(), v.y(), v.z()); }
 
 template <typename Tag = CGAL::Parallel_if_available_tag>
 std::vector<Deep_point> consolidate(const Rays& scan, psc::Data_term data_term,

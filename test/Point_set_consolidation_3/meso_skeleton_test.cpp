@@ -5,13 +5,10 @@
 
 #undef NDEBUG
 
-#include "synthetic_scans.h"
+#include "scan_rays.h"
 
 #include <CGAL/Deep_points_consolidation_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/meso_skeleton_to_graph.h>
-
-#include <CGAL/property_map.h>
 
 #include <cassert>
 #include <cstdio>
@@ -26,27 +23,6 @@ namespace psc = CGAL::Point_set_consolidation_3;
 namespace params = CGAL::Point_set_consolidation_3::parameters;
 using synthetic::Scan;
 using synthetic::Shape;
-using Vec3 = Eigen::Vector3d;
-
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef Kernel::Point_3 Point;
-typedef Kernel::Vector_3 Vector;
-typedef std::pair<Point, Vector> Point_and_direction;
-typedef CGAL::First_of_pair_property_map<Point_and_direction> First;
-typedef CGAL::Second_of_pair_property_map<Point_and_direction> Second;
-typedef std::vector<Point_and_direction> Rays;
-
-Rays rays(const Scan& scan)
-{
-  Rays result;
-  for(std::size_t i = 0; i < scan.points.size(); ++i) {
-    const Vec3 &p = scan.points[i], &d = scan.directions[i];
-    result.emplace_back(Point(p.x(), p.y(), p.z()), Vector(d.x(), d.y(), d.z()));
-  }
-  return result;
-}
-
-Vec3 vec3(const Point& p) { return Vec3(p.x(), p.y(), p.z()); }
 
 typedef CGAL::Meso_skeleton_3<Kernel> Meso_skeleton;
 

@@ -47,7 +47,7 @@ class Meso_skeleton_formation {
 public:
   Meso_skeleton_formation(Execution& execution, const Points& anchors, const Points& normals,
                           const Meso_skeleton_parameters& parameters)
-    : m_execution(execution), m_parameters(parameters), m_normals(normals), m_anchors(anchors)
+    : m_execution(execution), m_parameters(parameters), m_normals(normals)
     , m_anchor_grid(anchors, parameters.collision_radius)
   {
     m_result.points = anchors;
@@ -164,7 +164,6 @@ private:
   Execution& m_execution;
   Meso_skeleton_parameters m_parameters;
   const Points& m_normals;
-  const Points& m_anchors;
   Sorted_grid m_anchor_grid;
   Meso_skeleton m_result;
 };
