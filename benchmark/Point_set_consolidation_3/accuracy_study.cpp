@@ -348,24 +348,9 @@ void run(const Arguments& arguments)
 }  // namespace
 
 int main(int argc, char** argv)
-try {
-  const Arguments arguments(argc, argv,
-                            {"--data", "--models", "--specs", "--methods", "--seeds", "--reference",
-                             "--jobs", "--cache", "--pictures", "--timeout", "--out"},
-                            {"--quick"});
-  if(arguments.has("--help")) {
-    std::cout << usage;
-    return 0;
-  }
-  run(arguments);
-  return 0;
-} catch(const Usage_error& error) {
-  std::cerr << "accuracy_study: " << error.what() << " (see --help)\n";
-  return 1;
-} catch(const support::File_error& error) {
-  std::cerr << "accuracy_study: " << error.what() << "\n";
-  return 2;
-} catch(const std::exception& error) {
-  std::cerr << "accuracy_study: " << error.what() << "\n";
-  return 3;
+{
+  return benchmark::run_program("accuracy_study", usage, argc, argv,
+                                {"--data", "--models", "--specs", "--methods", "--seeds", "--reference",
+                                 "--jobs", "--cache", "--pictures", "--timeout", "--out"},
+                                {"--quick"}, run);
 }

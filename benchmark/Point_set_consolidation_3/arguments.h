@@ -4,7 +4,10 @@
 #ifndef CONSOLIDATION_BENCHMARK_ARGUMENTS_H
 #define CONSOLIDATION_BENCHMARK_ARGUMENTS_H
 
+#include "types.h"
+
 #include <cstdlib>
+#include <iostream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -92,6 +95,32 @@ private:
   std::map<std::string, std::string> m_values;
   std::set<std::string> m_flags;
 };
+
+/// What every program here does with its command line. Exit status as for all programs of the package: 1 wrong
+/// options, 2 a file, 3 no result.
+template <typename Usage, typename Run>
+int run_program(const char* name, const Usage& usage, int argc, char** argv,
+                const std::set<std::string>& with_value, const std::set<std::string>& flags,
+                const Run& run)
+{
+  try {
+    const Arguments arguments(argc, argv, with_value, flags);
+    if(arguments.has("--help"))
+      std::cout << usage;
+    else
+      run(arguments);
+    return 0;
+  } catch(const Usage_error& error) {
+    std::cerr << name << ": " << error.what() << " (see --help)\n";
+    return 1;
+  } catch(const support::File_error& error) {
+    std::cerr << name << ": " << error.what() << "\n";
+    return 2;
+  } catch(const std::exception& error) {
+    std::cerr << name << ": " << error.what() << "\n";
+    return 3;
+  }
+}
 
 }  // namespace benchmark
 

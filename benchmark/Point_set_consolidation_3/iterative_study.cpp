@@ -624,21 +624,8 @@ void study(const Arguments& arguments)
 }  // namespace
 
 int main(int argc, char** argv)
-try {
-  const Arguments arguments(argc, argv, {"--data", "--parts", "--seeds", "--threads", "--pictures"}, {});
-  if(arguments.has("--help")) {
-    std::cout << usage;
-    return 0;
-  }
-  study(arguments);
-  return 0;
-} catch(const Usage_error& error) {
-  std::cerr << "iterative_study: " << error.what() << " (see --help)\n";
-  return 1;
-} catch(const support::File_error& error) {
-  std::cerr << "iterative_study: " << error.what() << "\n";
-  return 2;
-} catch(const std::exception& error) {
-  std::cerr << "iterative_study: " << error.what() << "\n";
-  return 3;
+{
+  return benchmark::run_program("iterative_study", usage, argc, argv,
+                                {"--data", "--parts", "--seeds", "--threads", "--pictures"},
+                                {}, study);
 }

@@ -145,21 +145,8 @@ void run(const Arguments& arguments)
 }  // namespace
 
 int main(int argc, char** argv)
-try {
-  const Arguments arguments(argc, argv, {"--scan", "--kind", "--json", "--samples"}, {});
-  if(arguments.has("--help")) {
-    std::cout << usage;
-    return 0;
-  }
-  run(arguments);
-  return 0;
-} catch(const Usage_error& error) {
-  std::cerr << "judge: " << error.what() << " (see --help)\n";
-  return 1;
-} catch(const support::File_error& error) {
-  std::cerr << "judge: " << error.what() << "\n";
-  return 2;
-} catch(const std::exception& error) {
-  std::cerr << "judge: " << error.what() << "\n";
-  return 3;
+{
+  return benchmark::run_program("judge", usage, argc, argv,
+                                {"--scan", "--kind", "--json", "--samples"},
+                                {}, run);
 }

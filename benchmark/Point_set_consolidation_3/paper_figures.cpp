@@ -187,21 +187,8 @@ void run(const Arguments& arguments)
 }  // namespace
 
 int main(int argc, char** argv)
-try {
-  const Arguments arguments(argc, argv, {"--data", "--out"}, {"--list"});
-  if(arguments.has("--help")) {
-    std::cout << usage;
-    return 0;
-  }
-  run(arguments);
-  return 0;
-} catch(const Usage_error& error) {
-  std::cerr << "paper_figures: " << error.what() << " (see --help)\n";
-  return 1;
-} catch(const support::File_error& error) {
-  std::cerr << "paper_figures: " << error.what() << "\n";
-  return 2;
-} catch(const std::exception& error) {
-  std::cerr << "paper_figures: " << error.what() << "\n";
-  return 3;
+{
+  return benchmark::run_program("paper_figures", usage, argc, argv,
+                                {"--data", "--out"},
+                                {"--list"}, run);
 }

@@ -114,21 +114,7 @@ void study(const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  try {
-    const Arguments arguments(argc, argv, {"--data", "--points", "--models", "--parts"}, {});
-    if(arguments.has("--help")) {
-      std::cout << usage;
-      return 0;
-    }
-    study(arguments);
-    return 0;
-  }
-  catch(const Usage_error& error) {
-    std::cerr << "skeleton_study: " << error.what() << "\n" << usage;
-    return 1;
-  }
-  catch(const std::exception& error) {
-    std::cerr << "skeleton_study: " << error.what() << "\n";
-    return 2;
-  }
+  return benchmark::run_program("skeleton_study", usage, argc, argv,
+                                {"--data", "--points", "--models", "--parts"},
+                                {}, study);
 }

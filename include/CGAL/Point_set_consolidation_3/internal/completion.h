@@ -73,10 +73,8 @@ public:
       solid.smooth(m_execution, m_parameters.smoothing);
       Completed_points part = sample(solid);
       correct_border(solid, part);
-      keep(part, [&](const Vec3& x) { return !is_seen_through(x) && !is_mere_guess(x); });
-      append(completed.points, part.points);
-      append(completed.normals, part.normals);
-      append(completed.distance, part.distance);
+      part.keep_if([&](const Vec3& x) { return !is_seen_through(x) && !is_mere_guess(x); });
+      completed.append(part);
       stage.update(0.4 + 0.6 * double(b + 1) / double(boxes.size()));
     }
     completed = Gap_selection(m_execution, m_input.points, m_seen, m_data_tree, m_balls,
@@ -90,12 +88,6 @@ private:
   double data_distance(const Vec3& x) const
   {
     return std::sqrt(m_data_tree.nearest(x).squared_distance);
-  }
-
-  template <typename T>
-  static void append(std::vector<T>& to, const std::vector<T>& from)
-  {
-    to.insert(to.end(), from.begin(), from.end());
   }
 
   double grid_step(const std::vector<Bounding_box>& boxes) const
@@ -154,8 +146,10 @@ private:
   {
     Points result;
     if(!m_free_space.empty())
-      for(const Bounding_box& box : boxes)
-        append(result, free_space_border(free_space_grid(box, grid_step(boxes))));
+      for(const Bounding_box& box : boxes) {
+        const Points border = free_space_border(free_space_grid(box, grid_step(boxes)));
+        result.insert(result.end(), border.begin(), border.end());
+      }
     return result;
   }
 
@@ -201,22 +195,17 @@ private:
       least[i] = least_distance(m_balls.radius[m_centre_tree->nearest(crossings[i]).index]);
     });
     Completed_points completed;
-    Points far, normals;
     for(std::size_t i = 0; i < crossings.size(); ++i) {
       if(distance[i] < least[i])
         continue;
       const Vec3 normal = normalized_or(solid.gradient(crossings[i]), Vec3::Zero());
       if(normal.isZero())
         continue;
-      far.push_back(crossings[i]);
-      normals.push_back(normal);
+      completed.points.push_back(crossings[i]);
+      completed.normals.push_back(normal);
       completed.distance.push_back(distance[i]);
     }
-    const std::vector<Index> kept = thinned(far, m_seen.spacing);
-    completed.points = selected(far, kept);
-    completed.normals = selected(normals, kept);
-    completed.distance = selected(completed.distance, kept);
-    return completed;
+    return completed.part(thinned(completed.points, m_seen.spacing));
   }
 
   /// The solid passes the data at G(c_j) != 0; completed points near the border follow it, so
@@ -277,18 +266,6 @@ private:
   {
     return m_free_space.empty() &&
            m_sunk.anchoring[m_centre_tree->nearest(x).index] == Anchoring::unanchored;
-  }
-
-  template <typename Predicate>
-  static void keep(Completed_points& completed, const Predicate& is_kept)
-  {
-    std::vector<Index> kept;
-    for(std::size_t i = 0; i < completed.points.size(); ++i)
-      if(is_kept(completed.points[i]))
-        kept.push_back(Index(i));
-    completed.points = selected(completed.points, kept);
-    completed.normals = selected(completed.normals, kept);
-    completed.distance = selected(completed.distance, kept);
   }
 
   void describe(Completed_points& completed) const

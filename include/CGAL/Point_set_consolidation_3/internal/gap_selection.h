@@ -10,24 +10,17 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/ball_clip.h>
 #include <CGAL/Point_set_consolidation_3/internal/ball_union.h>
+#include <CGAL/Point_set_consolidation_3/internal/completed_points.h>
 #include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/flat_closure.h>
 #include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
-#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 
 #include <array>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
-
-struct Completed_points {
-  Points points, normals, inner;
-  std::vector<double> distance;       ///< to the nearest datum, in r
-  std::vector<char> is_clipped;       ///< the ball's radius is bounded by data or free space
-  std::vector<char> is_unanchored;    ///< nothing opposes: the depth is a guess
-};
 
 /// Gaps are the connected components of completed points. Each is closed by the prior of its border, or left
 /// open: if the caller wants it so, or if the mesher bridges it better.
@@ -52,48 +45,24 @@ public:
     m_wide = m_narrow = Completed_points();
     m_narrow_error = 0;
     Completed_points allowed = completed;
-    remove_frozen(allowed);
+    if(!m_parameters.is_frozen.empty())
+      allowed.keep_if([&](const Vec3& x) {
+        return !m_parameters.is_frozen[m_data_tree.nearest(x).index];
+      });
     for(const std::vector<Index>& gap : connected_components(allowed.points, link * m_seen.spacing))
       sort_in(allowed, gap, is_all_open);
     // The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts
     // belongs to all points, and thin parts left open beside closed ones would be lost.
     if(m_narrow_error < predictable * double(m_narrow.points.size()))
-      append(m_wide, m_narrow);
+      m_wide.append(m_narrow);
     return std::move(m_wide);
   }
 
 private:
-  static void append(Completed_points& to, const Completed_points& from)
-  {
-    to.points.insert(to.points.end(), from.points.begin(), from.points.end());
-    to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
-    to.distance.insert(to.distance.end(), from.distance.begin(), from.distance.end());
-  }
-
-  static Completed_points part(const Completed_points& all, const std::vector<Index>& indices)
-  {
-    Completed_points result;
-    result.points = selected(all.points, indices);
-    result.normals = selected(all.normals, indices);
-    result.distance = selected(all.distance, indices);
-    return result;
-  }
-
-  void remove_frozen(Completed_points& completed) const
-  {
-    if(m_parameters.is_frozen.empty())
-      return;
-    std::vector<Index> kept;
-    for(std::size_t i = 0; i < completed.points.size(); ++i)
-      if(!m_parameters.is_frozen[m_data_tree.nearest(completed.points[i]).index])
-        kept.push_back(Index(i));
-    completed = part(completed, kept);
-  }
-
   void sort_in(const Completed_points& completed, std::vector<Index> indices, bool is_all_open)
   {
     std::sort(indices.begin(), indices.end());
-    Completed_points gap = part(completed, indices);
+    Completed_points gap = completed.part(indices);
     const double half_width = *std::max_element(gap.distance.begin(), gap.distance.end());
     if(2 * half_width > m_parameters.largest)
       return;
@@ -104,12 +73,12 @@ private:
     else if(prior == Prior::MINIMAL_VOLUME)
       shrink(gap);
     if(is_all_open || prior != Prior::VOLUME_PRESERVING || half_width > wide_gap) {
-      append(m_wide, gap);
+      m_wide.append(gap);
       return;
     }
     m_narrow_error += double(gap.points.size()) * prediction_error(border, half_width) /
                       typical_radius(gap);
-    append(m_narrow, gap);
+    m_narrow.append(gap);
   }
 
   /// A plane through the border, or the gap as it is if the border is far from flat.
@@ -121,7 +90,7 @@ private:
     const Closing_plane plane = closing_plane(m_seen.points, border, outwards);
     if(!plane.is_valid())
       return;
-    Points points, normals;
+    Points points;
     std::vector<double> distance;
     for(const Vec3& x : gap.points) {
       const Vec3 y = plane.projected(x);
