@@ -138,7 +138,7 @@ private:
     place_box(points);
     const double cells =
       double(m_dimensions[0]) * double(m_dimensions[1]) * double(m_dimensions[2]);
-    m_is_dense = cells <= 8. * double(n) + 4096.;
+    m_is_dense = cells <= 8. * double(n) + 131072.;
     m_is_dense ? sort_dense(points, std::size_t(cells)) : sort_sparse(points);
     for(std::size_t k = 0; k < n; ++k) {
       const Vec3& p = points[m_index[k]];
