@@ -84,7 +84,7 @@ bool parse(Options& o, int argc, char** argv)
     .between(0.01, 10);
   line.flag("--no-closing", o.no_closing, "settle where fronts are found to meet, as published");
   line.option("--skeleton-iterations", "N", o.skeleton_iterations, "iterations of the meso-skeleton");
-  line.option("--surface-iterations", "N", o.surface_iterations, "iterations of the surface");
+  line.option("--surface-iterations", "N", o.surface_iterations, "iterations of the surface, at most");
   line.option("--completed-spacing", "R", o.completed_spacing,
               "completed regions are filled to this spacing; 0: not at all").at_least(0);
   line.heading("Post-processing");

@@ -141,7 +141,8 @@ namespace CGAL {
       \cgalParamDefault{0.4}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_surface_iterations}
-      \cgalParamDescription{iterations that spread the outer points}
+      \cgalParamDescription{iterations that spread the outer points, at most: they end when the fronts
+        stand still. Points amid the data move in every third iteration}
       \cgalParamType{`std::size_t`}
       \cgalParamDefault{90: the fronts of half a tube of 60 r around have met}
     \cgalParamNEnd
