@@ -26,6 +26,7 @@
 #include <iostream>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -839,6 +840,8 @@ Triangle_mesh mesh_iso_surface(Implicit_function& function, const Iso_surface& s
       }
     } catch(const CGAL::Failure_exception&) {
       // "... is already inserted on surface": the mesher cannot separate two points.
+    } catch(const std::overflow_error&) {
+      // "Division by zero": the exact circumcentre of a flat tetrahedron.
     } catch(const Too_many_evaluations&) {
       // The mesher does not come to an end, with fewer seeds neither.
       attempt = max_attempts;
@@ -915,6 +918,9 @@ Triangle_mesh poisson_mesh(const std::vector<Vec3>& points, const std::vector<Ve
     mesh = mesh_iso_surface(function, surface, options, max_evaluations);
   } catch(const CGAL::Failure_exception& e) {
     throw Method_error("poisson_mesh: the implicit function could not be computed (" + e.message()
+                       + ")");
+  } catch(const std::overflow_error& e) {
+    throw Method_error(std::string("poisson_mesh: the implicit function could not be computed (") + e.what()
                        + ")");
   }
   if(mesh.empty())
