@@ -5,6 +5,7 @@
 
 #include "command_line.h"
 #include "consolidation.h"
+#include "file_bytes.h"
 #include "json.h"
 #include "picture.h"
 #include "ply_file.h"
@@ -122,12 +123,9 @@ void check_outputs(Options& o)
 support::Consolidation_result consolidate(const Options& o, const Point_cloud& cloud)
 {
   support::Progress_bar bar(o.method, o.quiet);
-  try {
+  return support::with_points_of(o.input, [&] {
     return support::consolidate(cloud, o, [&](double fraction) { bar(fraction); });
-  }
-  catch(const std::invalid_argument& error) {  // the data do not allow it
-    throw support::File_error(o.input + ": " + error.what());
-  }
+  });
 }
 
 void write_inner(const std::string& file, const Result& result)

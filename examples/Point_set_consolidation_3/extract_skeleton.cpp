@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "command_line.h"
+#include "file_bytes.h"
 #include "json.h"
 #include "picture.h"
 #include "point_file.h"
@@ -229,6 +230,8 @@ bool parse(Options& options, int argc, char** argv)
     return false;
   if(options.method == "meso" && !options.edits.empty())
     throw support::Usage_error("--edits is for curve skeletons, not for --method meso");
+  if(options.method == "l1-medial" && options.samples && *options.samples < 10)
+    throw support::Usage_error("--samples must be at least 10 for --method l1-medial");
   if(options.output.empty())
     throw support::Usage_error("--output is missing");
   return true;
@@ -261,14 +264,14 @@ support::Segment_graph to_segment_graph(const Skeleton& skeleton)
 void write(const Options& options, const Skeleton& skeleton, const Meso_skeleton& meso)
 {
   const std::string& name = options.output;
-  if(options.method == "meso" && is_meso_output(name)) {
-    if(!CGAL::IO::write_meso_skeleton(name, meso))
-      throw support::File_error(name + ": cannot be written");
-  }
-  else if(ends_with(name, ".ply"))
+  if(options.method != "meso" && ends_with(name, ".ply"))
     support::write_segment_graph(name, to_segment_graph(skeleton));
-  else if(!CGAL::IO::write_curve_skeleton(name, skeleton))
-    throw support::File_error(name + ": cannot be written");
+  else
+    support::replace_file(name, [&](const std::string& file) {
+      return options.method == "meso" && is_meso_output(name)
+               ? CGAL::IO::write_meso_skeleton(file, meso)
+               : CGAL::IO::write_curve_skeleton(file, skeleton);
+    });
 }
 
 void report(const Run& run, const Skeleton& skeleton)
@@ -350,7 +353,8 @@ int main(int argc, char** argv)
     const support::Thread_limit threads(options.threads);
     support::Progress_bar progress("skeleton", options.quiet);
     Run run{options, progress};
-    Skeleton skeleton = methods.at(options.method)(run);
+    Skeleton skeleton =
+      support::with_points_of(options.input, [&] { return methods.at(options.method)(run); });
     if(!options.edits.empty())
       apply_edits(options, skeleton);
     write(options, skeleton, run.meso);

@@ -3,6 +3,7 @@
 
 #include "cgal_conversion.h"
 #include "command_line.h"
+#include "file_bytes.h"
 #include "json.h"
 #include "picture.h"
 #include "point_file.h"
@@ -61,7 +62,9 @@ support::Triangle_mesh poisson(Run& run)
   run.cloud = support::read_point_cloud(run.options.input);
   const support::Point_cloud& cloud = run.cloud;
   if(cloud.normals.empty())
-    throw support::File_error(run.options.input + ": method poisson needs normals");
+    support::file_error(run.options.input, "method poisson needs normals");
+  if(cloud.size() < 4)
+    support::file_error(run.options.input, "method poisson needs at least 4 points");
   return support::poisson_mesh(cloud.points, cloud.normals, run.options.poisson);
 }
 
@@ -260,7 +263,8 @@ int main(int argc, char** argv)
     const support::Thread_limit threads(options.threads);
     support::Progress_bar progress("surface", options.quiet);
     Run run{options, progress};
-    const support::Triangle_mesh mesh = methods.at(options.method)(run);
+    const support::Triangle_mesh mesh =
+      support::with_points_of(options.input, [&] { return methods.at(options.method)(run); });
     support::write_mesh(options.output, mesh);
     if(!options.picture.empty())
       write_picture(run, mesh);

@@ -55,6 +55,8 @@ echo "1 2 three" >words.xyz
 printf '1 2 3\nnan 0 0\n4 5 6\n' >nan.xyz
 printf '1 2 3\ninf 0 0\n4 5 6\n' >inf.xyz
 printf '0 0 0\n1 0 0\n0 1 0\n' >three.xyz
+printf '0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n' >three_normals.xyz
+echo "1 2 3" >one.xyz
 for i in $(seq 50); do echo "1 2 3"; done >equal.xyz
 header='property float x\nproperty float y\nproperty float z\nend_header\n'
 printf 'ply\nformat ascii 1.0\nelement vertex 1000\n'"$header"'1 2 3\n' >lying.ply
@@ -128,10 +130,19 @@ done
 
 # ---- input that no method can use ---------------------------------------------------------------
 
-for file in three.xyz equal.xyz; do
-  expect 2 "$file" consolidate_point_set $file -o out/result.ply
+for file in one.xyz three.xyz three_normals.xyz equal.xyz; do
+  for method in deep-points iterative; do
+    expect 2 "$file" consolidate_point_set $file -o out/result.ply --method $method
+  done
+  for method in laplacian l1-medial meso; do
+    expect 2 "$file" extract_skeleton $file -o out/result.ply --method $method
+  done
+  for method in poisson feature-enhanced; do
+    expect 2 "$file" reconstruct_surface $file -o out/result.off --method $method
+  done
+  expect 2 "$file" segment_point_set $file -o out/result.ply
 done
-expect 2 "three.xyz" segment_point_set three.xyz -o out/result.ply
+expect 1 "--samples" extract_skeleton good.xyz -o out/result.ply --method l1-medial --samples 9
 expect 2 "missing.ply" reconstruct_surface good.xyz -o out/result.ply --method skeleton-driven --skeleton missing.ply
 expect 2 "garbage_1.ply" reconstruct_surface good.xyz -o out/result.ply --method skeleton-driven \
   --skeleton garbage_1.ply
@@ -152,6 +163,24 @@ if [ -c /dev/full ]; then
   # The result itself was written before.
   expect 2 "full.json" segment_point_set good.xyz -o kept_result.ply --json full.json
 fi
+# A disk that is full after a kilobyte: what was begun is taken away.
+expect_full() {
+  if (
+    ulimit -f 1
+    trap '' XFSZ
+    failed=0
+    expect 2 "$@"
+    [ "$failed" -eq 0 ]
+  ); then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+  fi
+}
+expect_full "result.ply" segment_point_set good.xyz -o out/result.ply
+expect_full "result.polylines.txt" extract_skeleton good.xyz -o out/result.polylines.txt --sampling-radius 0.002
+expect_full "result.obj" extract_skeleton good.xyz -o out/result.obj --method meso --particles 60
+expect_full "result.xyz" consolidate_point_set good.xyz -o out/result.xyz --particles 60
 mkdir is_folder.ply
 expect 2 "is_folder.ply" segment_point_set good.xyz -o is_folder.ply
 if [ "$(id -u)" -ne 0 ]; then

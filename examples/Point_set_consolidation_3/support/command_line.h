@@ -21,11 +21,6 @@
 
 namespace support {
 
-/// Wrong command line; the message names the option. Programs exit with status 1.
-struct Usage_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// A program's options, each bound to a variable that holds its default until `parse()`:
 ///
 ///     double omega = 45;

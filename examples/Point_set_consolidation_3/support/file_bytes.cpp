@@ -74,7 +74,7 @@ std::string read_file(const std::string& file)
   return bytes;
 }
 
-void write_file(const std::string& file, std::string_view bytes)
+void replace_file(const std::string& file, const std::function<bool(const std::string&)>& write)
 {
   std::error_code ignored;
   const fs::path target
@@ -83,21 +83,28 @@ void write_file(const std::string& file, std::string_view bytes)
   if(fs::is_directory(target, ignored))
     file_error(file, "cannot be written: is a folder");
 
-  const std::string destination = target.string();
-  const std::string beside
-      = is_special ? destination : destination + ".part" + std::to_string(::getpid());
-  Stream stream(std::fopen(beside.c_str(), "wb"));
-  if(!stream)
-    file_error(file, std::string("cannot be written: ") + std::strerror(errno));
-  bool done = write_all(std::move(stream), bytes);
+  const fs::path beside = is_special ? target
+                                     : target.parent_path() / ("part" + std::to_string(::getpid()) + "_"
+                                                               + target.filename().string());
+  errno = 0;
+  bool done = write(beside.string());
   if(done && !is_special)
-    done = std::rename(beside.c_str(), destination.c_str()) == 0;
+    done = std::rename(beside.c_str(), target.c_str()) == 0;
   if(!done) {
     const int reason = errno;
     if(!is_special)
       std::remove(beside.c_str());
-    file_error(file, std::string("cannot be written: ") + std::strerror(reason));
+    file_error(file, std::string("cannot be written") + (reason == 0 ? "" : ": ")
+                         + (reason == 0 ? "" : std::strerror(reason)));
   }
+}
+
+void write_file(const std::string& file, std::string_view bytes)
+{
+  replace_file(file, [bytes](const std::string& name) {
+    Stream stream(std::fopen(name.c_str(), "wb"));
+    return stream && write_all(std::move(stream), bytes);
+  });
 }
 
 std::string extension(const std::string& file)

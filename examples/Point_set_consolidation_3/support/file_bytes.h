@@ -7,6 +7,7 @@
 #include "types.h"
 
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -21,10 +22,13 @@ namespace support {
 /// The whole file. \throws File_error with the system's reason, also if it is a folder or empty.
 std::string read_file(const std::string& file);
 
-/// Writes the bytes to a temporary file beside `file` and renames it, so that there is either the
-/// whole file or none of it; what was there before is kept if anything fails. A device or pipe is
-/// written to directly, and a symbolic link is followed.
+/// `write(name)` writes a file and says whether it could. The name is one beside `file`, with its extension; what
+/// was written is renamed to `file`, so that there is either the whole file or none of it, and what was there before
+/// is kept if anything fails. A device or pipe is written to directly, and a symbolic link is followed.
 /// \throws File_error with the system's reason.
+void replace_file(const std::string& file, const std::function<bool(const std::string&)>& write);
+
+/// The bytes as a file, by `replace_file()`.
 void write_file(const std::string& file, std::string_view bytes);
 
 /// The extension in lower case with its dot, ".ply"; empty if there is none.
@@ -39,8 +43,8 @@ void check_folder(const std::string& file);
 /// \throws File_error if a coordinate is not finite; the message counts the points.
 void check_finite(const std::string& file, const std::vector<Vec3>& points);
 
-/// `work()`; a `std::invalid_argument`, which functions throw if they cannot work with the points, becomes a
-/// `File_error` of the file that these came from.
+/// `work()`, on points from a file. A `std::invalid_argument`, which functions throw if they cannot work with the points,
+/// becomes a `File_error` of that file; where there is no result, the message names the file as well.
 template <typename Work>
 auto with_points_of(const std::string& file, const Work& work)
 {
@@ -49,6 +53,15 @@ auto with_points_of(const std::string& file, const Work& work)
   }
   catch(const std::invalid_argument& error) {
     file_error(file, error.what());
+  }
+  catch(const File_error&) {  // of another file
+    throw;
+  }
+  catch(const Usage_error&) {
+    throw;
+  }
+  catch(const std::runtime_error& error) {
+    throw Method_error(file + ": " + error.what());
   }
 }
 

@@ -249,10 +249,11 @@ private:
                                std::size_t item)
   {
     const double length = read_number(property.size_type, element, item);
-    if(!(length >= 0 && length <= static_cast<double>(m_bytes.size())))
-      file_error(m_file, "item " + std::to_string(item) + " of '" + element.name
-                             + "' has a list of " + std::to_string(static_cast<long long>(length))
-                             + " values");
+    if(!(length >= 0 && length <= static_cast<double>(m_bytes.size()))) {
+      std::string message = "item " + std::to_string(item) + " of '" + element.name + "' has a list of ";
+      append_number(message, length);
+      file_error(m_file, message + " values");
+    }
     return static_cast<std::size_t>(length);
   }
 

@@ -52,6 +52,13 @@ void check_content(const std::string& file, std::string_view bytes, std::string_
 
 // ---- x y z [nx ny nz] ----
 
+[[noreturn]] void wrong_number(const std::string& file, double announced, std::size_t found)
+{
+  std::string message = "the first line says ";
+  append_number(message, announced);
+  file_error(file, message + " points, the file holds " + std::to_string(found));
+}
+
 Point_cloud read_xyz(const std::string& file)
 {
   const std::string bytes = read_file(file);
@@ -84,8 +91,7 @@ Point_cloud read_xyz(const std::string& file)
     has_normals = has_normals || n == 6;
   }
   if(announced >= 0 && announced != static_cast<double>(cloud.size()))
-    file_error(file, "the first line says " + std::to_string(static_cast<long long>(announced))
-                         + " points, the file holds " + std::to_string(cloud.size()));
+    wrong_number(file, announced, cloud.size());
   if(!has_normals || are_colours(cloud.normals))
     cloud.normals.clear();
   return cloud;

@@ -35,6 +35,13 @@ struct Ply_element {
   std::string name;
   std::size_t count = 0;
   std::vector<Ply_property> properties;
+
+  bool has_number(const std::string& property) const
+  {
+    return std::any_of(properties.begin(), properties.end(), [&](const Ply_property& p) {
+      return p.name == property && p.count_type.empty();
+    });
+  }
 };
 
 class Ply_skeleton_reader {
@@ -46,7 +53,13 @@ public:
     read_header();
     Skeleton_graph graph;
     std::vector<Skeleton_edge> edges;
-    for(const Ply_element& element : m_elements)
+    for(const Ply_element& element : m_elements) {
+      if(element.name == "vertex")
+        for(const char* const coordinate : {"x", "y", "z"})
+          if(!element.has_number(coordinate))
+            fail(std::string("the vertices have no property ") + coordinate);
+      if(element.properties.empty())
+        continue;  // whatever its count says, it takes no place in the file
       for(std::size_t i = 0; i < element.count; ++i) {
         Skeleton_node node;
         double ends[2] = {-1, -1};
@@ -66,6 +79,8 @@ public:
         if(element.name == "vertex") {
           if(!node.position.allFinite() || !std::isfinite(node.radius))
             fail("vertex " + std::to_string(i) + " is not finite");
+          if(node.radius < 0)
+            fail("vertex " + std::to_string(i) + " has a negative radius");
           graph.nodes.push_back(std::move(node));
         }
         if(element.name == "edge") {
@@ -75,6 +90,7 @@ public:
           edges.push_back({std::size_t(ends[0]), std::size_t(ends[1])});
         }
       }
+    }
     for(const Skeleton_edge& e : edges) {
       if(e[0] >= graph.nodes.size() || e[1] >= graph.nodes.size())
         fail("an edge refers to a vertex that does not exist");
