@@ -3,11 +3,10 @@
 
 #include "mesh_tree.h"
 
-#include <CGAL/AABB_traits.h>
+#include "cgal_compatibility.h"
+
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/version.h>
 
 #include <Eigen/Geometry>
 
@@ -20,13 +19,8 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Triangles = std::vector<Kernel::Triangle_3>;
-#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
-using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
-using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
-#else
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Traits = CGAL::AABB_traits<Kernel, Primitive>;
-#endif
+using Primitive = support::Triangle_primitive<Kernel, Triangles::const_iterator>;
+using Traits = support::Box_tree_traits<Kernel, Primitive>;
 
 Point_3 to_cgal(const Vec3& p)
 {

@@ -5,7 +5,6 @@
 
 #include "command_line.h"
 #include "consolidation.h"
-#include "file_bytes.h"
 #include "json.h"
 #include "picture.h"
 #include "ply_file.h"

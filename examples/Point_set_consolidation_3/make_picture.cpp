@@ -58,7 +58,7 @@ void add_points(support::Panel& panel, const std::string& file)
   if(segment == nullptr)
     return;
   for(const double label : segment->values)
-    panel.point_colors.push_back(support::label_color(std::size_t(label < 0 ? 0 : label)));
+    panel.point_colors.push_back(support::label_color(label >= 0 && label < 1e9 ? std::size_t(label) : 0));
 }
 
 bool has_element(const std::string& file, const std::string& name)

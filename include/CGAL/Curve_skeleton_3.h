@@ -16,7 +16,9 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
+#include <algorithm>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -78,9 +80,14 @@ Skeleton_graph to_skeleton_graph(const Curve_skeleton_3<Kernel>& skeleton)
     graph.nodes[v].radius = CGAL::to_double(vertex.radius);
     graph.nodes[v].points = vertex.points;
   }
+  std::set<Skeleton_edge> known;  // `add_edge()` would look through all edges each time
   const auto range = edges(skeleton);
-  for(auto e = range.first; e != range.second; ++e)
-    graph.add_edge(source(*e, skeleton), target(*e, skeleton));
+  for(auto e = range.first; e != range.second; ++e) {
+    const std::size_t v = source(*e, skeleton), w = target(*e, skeleton);
+    const Skeleton_edge edge = {(std::min)(v, w), (std::max)(v, w)};
+    if(v != w && known.insert(edge).second)
+      graph.edges.push_back(edge);
+  }
   return graph;
 }
 

@@ -21,6 +21,11 @@
 
 namespace support {
 
+/// Wrong command line; the message names the option. Programs exit with status 1.
+struct Usage_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// A program's options, each bound to a variable that holds its default until `parse()`:
 ///
 ///     double omega = 45;
@@ -167,6 +172,28 @@ private:
 /// output that begins with the program's name, 1 for a `Usage_error`, 2 for a `File_error`, 3 for
 /// anything else that was thrown.
 int run_program(const std::string& name, const std::function<void()>& body) noexcept;
+
+/// `work()`, on points from a file. A `std::invalid_argument`, which functions throw if they cannot work with the points,
+/// becomes a `File_error` of that file; where there is no result, the message names the file as well.
+template <typename Work>
+auto with_points_of(const std::string& file, const Work& work)
+{
+  try {
+    return work();
+  }
+  catch(const std::invalid_argument& error) {
+    throw File_error(file + ": " + error.what());
+  }
+  catch(const File_error&) {  // of another file
+    throw;
+  }
+  catch(const Usage_error&) {
+    throw;
+  }
+  catch(const std::runtime_error& error) {
+    throw Method_error(file + ": " + error.what());
+  }
+}
 
 /// Says on the standard error output which files were written, unless `is_quiet`. Empty names are skipped.
 void report_files(bool is_quiet, const std::vector<std::string>& files);

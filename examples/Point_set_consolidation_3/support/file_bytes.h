@@ -43,28 +43,6 @@ void check_folder(const std::string& file);
 /// \throws File_error if a coordinate is not finite; the message counts the points.
 void check_finite(const std::string& file, const std::vector<Vec3>& points);
 
-/// `work()`, on points from a file. A `std::invalid_argument`, which functions throw if they cannot work with the points,
-/// becomes a `File_error` of that file; where there is no result, the message names the file as well.
-template <typename Work>
-auto with_points_of(const std::string& file, const Work& work)
-{
-  try {
-    return work();
-  }
-  catch(const std::invalid_argument& error) {
-    file_error(file, error.what());
-  }
-  catch(const File_error&) {  // of another file
-    throw;
-  }
-  catch(const Usage_error&) {
-    throw;
-  }
-  catch(const std::runtime_error& error) {
-    throw Method_error(file + ": " + error.what());
-  }
-}
-
 /// Takes numbers and lines from text, without a look at the locale.
 class Text_scanner {
 public:

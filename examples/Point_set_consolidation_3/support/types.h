@@ -43,11 +43,6 @@ struct Segment_graph {
   std::vector<std::array<std::size_t, 2>> edges;
 };
 
-/// Wrong command line; the message names the option. Programs exit with status 1.
-struct Usage_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// Unreadable or unusable file; the message names it. Programs exit with status 2.
 struct File_error : std::runtime_error {
   using std::runtime_error::runtime_error;
