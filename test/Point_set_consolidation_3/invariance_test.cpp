@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Every function: results do not depend on the unit of length or the place of the origin, and depend on the
-// direction of the axes and the order of the input by less than the spacing of the points. Projections and
-// removals that are applied to their own result have little left to do.
+// direction of the axes and the order of the input, which random samples follow, by less than the spacing of the
+// points; nodes of skeletons, which are few, by less than a fifth of the shape's length. Projections and removals
+// that are applied to their own result have little left to do.
 // Argument: [PART OF A FUNCTION'S NAME]
 
 #undef NDEBUG
@@ -23,6 +24,7 @@ using namespace every_function;
 
 /// Of the capsule below: the mean distance to the nearest other point is about half of it.
 constexpr double spacing = 0.2;
+constexpr double skeleton_tolerance = 0.8;
 
 Output output_of(const Function& function, const Cloud& cloud)
 {
@@ -56,13 +58,15 @@ void same_in_another_frame(const Function& function, const Cloud& cloud, const O
   const Output output = output_of(function, transformed(cloud, unit, offset));
   assert(output.points.size() == reference.points.size());
   assert(output.numbers.size() == reference.numbers.size());
-  assert(output.normals == reference.normals);
-  // The results themselves are rounded at the size of the offset.
+  assert(output.normals.size() == reference.normals.size());
+  // The results themselves, and skeletons that are given, are rounded at the size of the offset.
   const double rounding = 1e-12 * (1 + std::sqrt(offset.squared_length()) / unit);
   for(std::size_t i = 0; i < output.points.size(); ++i) {
     const Vector moved = (output.points[i] - CGAL::ORIGIN) - offset;
     assert(distance(CGAL::ORIGIN + moved / unit, reference.points[i]) < rounding);
   }
+  for(std::size_t i = 0; i < output.normals.size(); ++i)
+    assert((output.normals[i] - reference.normals[i]).squared_length() < 1e-18);
 }
 
 /// Mean distance from the points to the nearest of the others.
@@ -89,6 +93,12 @@ Vector rotated(const Vector& v)
   // The rotation that takes the axes to these columns: exact in rationals.
   return Vector((2 * v.x() - v.y() + 2 * v.z()) / 3, (2 * v.x() + 2 * v.y() - v.z()) / 3,
                 (-v.x() + 2 * v.y() + 2 * v.z()) / 3);
+}
+
+/// The skeleton that this function is given here follows the box and the order of the points.
+bool has_skeleton_of_box(const Function& function)
+{
+  return std::string(function.name) == "complete_point_set_along_skeleton";
 }
 
 double change_by_rotation(const Function& function, const Cloud& cloud, const Output& reference)
@@ -145,9 +155,10 @@ void remove_again()
 {
   Cloud cloud = dyadic_capsule();
   Numbers numbers(24);
-  for(int i = 0; i < 25; ++i)
+  constexpr std::size_t outliers = 12;
+  for(std::size_t i = 0; i < outliers; ++i)
     cloud.samples.push_back(
-      {Point(3 * numbers.signed_unit(), 2 + 3 * numbers.uniform(), 3 * numbers.signed_unit()), Vector(0, 0, 1), 0});
+      {Point(8 * numbers.signed_unit(), 3 + 8 * numbers.uniform(), 8 * numbers.signed_unit()), Vector(0, 0, 1), 0});
   const Function& removal = function_of("mean_shift_remove_outliers");
   const std::size_t all = cloud.samples.size();
   const std::vector<Point> once = output_of(removal, cloud).points;
@@ -156,7 +167,7 @@ void remove_again()
     cloud.samples.push_back({p, Vector(0, 0, 1), 0});
   const std::size_t twice = output_of(removal, cloud).points.size();
   std::cout << "mean_shift_remove_outliers again: " << all << " -> " << once.size() << " -> " << twice << std::endl;
-  assert(once.size() < all - 15 && once.size() - twice <= (all - once.size()) / 4);
+  assert(once.size() <= all - outliers && once.size() >= all - 2 * outliers && twice == once.size());
 }
 
 }  // namespace
@@ -173,11 +184,20 @@ int main(int argc, char* argv[])
     same_in_another_frame(function, cloud, reference, std::ldexp(1., 10), Vector(0, 0, 0));
     same_in_another_frame(function, cloud, reference, std::ldexp(1., -20), Vector(0, 0, 0));
     same_in_another_frame(function, cloud, reference, 1, Vector(65536, -8192, 1024));
+    if(has_skeleton_of_box(function)) {
+      std::cout << std::endl;
+      continue;
+    }
     const double rotation = change_by_rotation(function, cloud, reference);
     const double order = change_by_order(function, cloud, reference);
     std::cout << ": changed by " << rotation << " by a rotation, by " << order << " by another order" << std::endl;
-    if(!(rotation < spacing && order < spacing))
+    const bool is_skeleton = std::string(function.name).compare(0, 8, "extract_") == 0 ||
+                             std::string(function.name) == "meso_skeleton_to_graph";
+    const double tolerance = is_skeleton ? skeleton_tolerance : spacing;
+    if(!(rotation < tolerance && order < tolerance)) {
+      std::cout << "  FAULT" << std::endl;
       ++faults;
+    }
   }
   if(argc == 1) {
     project_again("apss_project_point_set", 0.5);
