@@ -46,8 +46,8 @@ struct Options {
   // feature-enhanced
   std::size_t segments = 0;
   std::vector<std::string> segment_methods;
-  double sharpness_angle = 20, upsampling = 1;
-  std::string denoise = "auto";
+  double normal_weight = 10, sharpness_angle = 20, upsampling = 1;
+  bool denoises = false;
 };
 
 struct Run {
@@ -152,17 +152,16 @@ support::Triangle_mesh feature_enhanced(Run& run)
         .upsampling_factor(options.upsampling)
         .grid_resolution(options.resolution)
         .surface_weight(options.surface_weight)
+        .normal_weight(options.normal_weight)
+        .enhance_features(options.denoises)
         .stage_times(std::ref(run.times))
         .callback([&](double fraction) { return run.progress(fraction); }));
   };
   const auto positions = params::point_map(CGAL::First_of_pair_property_map<Oriented_point>());
-  const auto oriented = positions.normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
-  if(options.denoise == "auto")
-    cloud.normals.empty() ? reconstruct(positions) : reconstruct(oriented);
-  else if(cloud.normals.empty())
-    reconstruct(positions.enhance_features(options.denoise == "yes"));
+  if(cloud.normals.empty())
+    reconstruct(positions);
   else
-    reconstruct(oriented.enhance_features(options.denoise == "yes"));
+    reconstruct(positions.normal_map(CGAL::Second_of_pair_property_map<Oriented_point>()));
   return support::to_triangle_mesh(mesh);
 }
 
@@ -215,8 +214,9 @@ bool parse(Options& options, int argc, char** argv)
               "normals that differ by more are not averaged").between(1, 89);
   line.option("--upsampling", "X", options.upsampling, "points after up-sampling, in numbers of points")
     .between(1, 100);
-  line.option("--denoise", "WHEN", options.denoise, "denoise the points; auto: if they are noisy")
-    .one_of({"auto", "yes", "no"});
+  line.option("--normal-weight", "X", options.normal_weight, "of the normals as gradients of the field")
+    .at_least(0);
+  line.flag("--denoise", options.denoises, "denoise the points first: for flat faces and sharp edges");
   if(!line.parse(argc, argv))
     return false;
   if(options.output.empty())

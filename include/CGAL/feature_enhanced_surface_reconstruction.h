@@ -24,7 +24,7 @@ namespace CGAL {
   reconstructs a closed surface from a noisy, incomplete point set with the help of segments and curve
   skeletons: the whole of the feature-enhanced surfaces paper \cgalCite{cgal:wfglchc-fes-18}.
 
-  Normals are optimised across edges and points denoised (section III); the curve skeleton is extracted and the
+  If wanted, normals are optimised across edges and points denoised (section III); the curve skeleton is extracted and the
   points are segmented along it (section IV; the other order than the paper's, whose segments by density do
   not find parts of evenly sampled surfaces); each segment gets its surface from the data, or, where these are
   missing, from generalised cylinders around the skeleton with profiles of the data (section V); all are fused in
@@ -33,7 +33,9 @@ namespace CGAL {
   the skeleton constrains the field only in segments that are made from it: an extracted skeleton has wrong
   centres and radii beside missing data, which would bend the unseen surface.
 
-  A skeleton can be given, for instance an edited one; its vertices are then trusted wherever they are.
+  A skeleton can be given, for instance an edited one; its vertices are then trusted wherever they are, and so is
+  its topology: handles of the surface that it does not have are removed, the weakest first. Of those that an extracted
+  skeleton does not have, only the ones are removed whose bridge or tunnel is thinner than two cells.
 
   The result is the same, bit for bit, for any `ConcurrencyTag` and number of threads.
 
@@ -58,10 +60,11 @@ namespace CGAL {
       \cgalParamDefault{none: planes fitted to 18 neighbours, oriented by propagation}
     \cgalParamNEnd
     \cgalParamNBegin{enhance_features}
-      \cgalParamDescription{whether normals are optimised and points denoised}
+      \cgalParamDescription{whether normals are optimised and points denoised: for noisy points of shapes with flat
+        faces and sharp edges. Curved parts become flatter than by the field alone, which takes the noise into
+        account}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`true` if points lie more than 0.15 spacings off the planes of their neighbours, so that thin
-        parts of clean data are not flattened}
+      \cgalParamDefault{`false`}
     \cgalParamNEnd
     \cgalParamNBegin{sharpness_angle}
       \cgalParamDescription{\f$\alpha\f$ of equation (5), degrees, (0, 90)}
@@ -95,9 +98,17 @@ namespace CGAL {
       \cgalParamDefault{64}
     \cgalParamNEnd
     \cgalParamNBegin{surface_weight}
-      \cgalParamDescription{weight of the points in the field, positive}
+      \cgalParamDescription{\f$\omega_2\f$, weight of points without noise in the field, positive. It is divided by
+        \f$1 + (\sigma / 0.12)^2\f$ with the typical distance \f$\sigma\f$ of the points from the planes of
+        their neighbours, measured in cells}
       \cgalParamType{floating scalar value}
       \cgalParamDefault{50}
+    \cgalParamNEnd
+    \cgalParamNBegin{normal_weight}
+      \cgalParamDescription{weight of the normals as gradients of the field at the points; 0: the skeleton alone tells
+        inside from outside. Not negative}
+      \cgalParamType{floating scalar value}
+      \cgalParamDefault{10; with 5 unseen parts are less exact, with 20 near parts join more often}
     \cgalParamNEnd
     \cgalParamNBegin{callback}
       \cgalParamDescription{called on the calling thread with the progress in [0, 1], never decreasing; returning
@@ -141,7 +152,6 @@ bool feature_enhanced_surface_reconstruction(
     normals = copy_unit_normals(function, points, np);
   Feature_enhanced_settings settings;
   settings.enhances = parameter_or(np, tags::enhance_features, settings.enhances);
-  settings.is_enhancement_automatic = !has_parameter<NP, tags::enhance_features_t>;
   settings.sharpness_angle = parameter_or(np, tags::sharpness_angle, settings.sharpness_angle);
   settings.upsampling_factor = parameter_or(np, tags::upsampling_factor, settings.upsampling_factor);
   settings.segmentation.method =
@@ -150,6 +160,7 @@ bool feature_enhanced_surface_reconstruction(
     parameter_or(np, tags::number_of_segments, std::size_t(0));
   settings.field.resolution = parameter_or(np, tags::grid_resolution, settings.field.resolution);
   settings.field.surface_weight = parameter_or(np, tags::surface_weight, settings.field.surface_weight);
+  settings.field.normal_weight = parameter_or(np, tags::normal_weight, settings.field.normal_weight);
   if constexpr(has_parameter<NP, tags::segment_methods_t>) {
     const auto methods = CGAL::parameters::get_parameter(np, tags::segment_methods);
     for(const auto& method : dereferenced(methods))
@@ -161,7 +172,10 @@ bool feature_enhanced_surface_reconstruction(
           "upsampling_factor must be in [1, 100]");
   require(settings.field.resolution >= 8 && settings.field.resolution <= 1024, function,
           "grid_resolution must be in [8, 1024]");
-  require(settings.field.surface_weight > 0, function, "surface_weight must be positive");
+  require(settings.field.surface_weight > 0 && std::isfinite(settings.field.surface_weight), function,
+          "surface_weight must be positive");
+  require(settings.field.normal_weight >= 0 && std::isfinite(settings.field.normal_weight), function,
+          "normal_weight must not be negative");
   const Skeleton_graph given = to_skeleton_graph<Kernel>(skeleton);
   for(const Skeleton_node& node : given.nodes)
     require(node.position.allFinite() && std::isfinite(node.radius) && node.radius >= 0, function,

@@ -691,7 +691,8 @@ void surfaces()
   };
   const auto base = maps.enhance_features(true);
   f.check({{"sharpness_angle", 5}, {"upsampling_factor", 2}, {"number_of_segments", no_effect},
-           {"segmentation_method", no_effect}, {"grid_resolution", 24}, {"surface_weight", 5}},
+           {"segmentation_method", no_effect}, {"grid_resolution", 24}, {"surface_weight", 5},
+           {"normal_weight", 1}},
           [&] { return run(base); },
           [&](Values v) {
             return run(base.sharpness_angle(v["sharpness_angle"])
@@ -699,11 +700,12 @@ void surfaces()
                          .number_of_segments(std::size_t(v["number_of_segments"]))
                          .segmentation_method(pkg::Segmentation_method(int(v["segmentation_method"])))
                          .grid_resolution(std::size_t(v["grid_resolution"]))
-                         .surface_weight(v["surface_weight"]));
+                         .surface_weight(v["surface_weight"])
+                         .normal_weight(v["normal_weight"]));
           });
-  f.documented({"enhance_features", 0});  // a property of the data: the clean ring is left as it is
+  f.check({{"enhance_features", 1}}, [&] { return run(maps.grid_resolution(24)); },
+          [&](Values v) { return run(maps.grid_resolution(24).enhance_features(v["enhance_features"] != 0)); });
   f.documented({"segment_methods", 0});
-  expect(run(maps) == run(maps.enhance_features(false)), "feature-enhanced: clean data are not denoised");
 }
 
 // ---- names ----

@@ -8,7 +8,9 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/feature_reconstruction.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <iostream>
 #include <random>
 #include <set>
@@ -92,6 +94,57 @@ internal::Surface_triangles reconstruct(const Points& points, const Points& norm
   return internal::reconstruct_feature_enhanced(execution, points, normals, {}, settings).surface;
 }
 
+// A ring around z on a lattice, and what is left of its handle if none is wanted.
+struct Ring {
+  internal::Sparse_lattice lattice;
+  std::vector<double> values;
+
+  Ring(double major, double minor)
+    : lattice({48, 48, 48}, [](std::int64_t, std::int64_t, std::vector<std::int32_t>& xs) {
+        for(int x = 0; x < 48; ++x)
+          xs.push_back(x);
+      })
+  {
+    for(std::size_t i = 0; i < lattice.size(); ++i) {
+      const internal::Lattice_point p = lattice.point(i);
+      const double x = double(p[0]) - 23.6, y = double(p[1]) - 23.7, z = double(p[2]) - 23.3;
+      values.push_back(std::hypot(std::hypot(x, y) - major, z) - minor);
+    }
+  }
+  double surface_genus() const { return genus(internal::Marching_tetrahedra(lattice, values).run()); }
+  std::size_t size_of_inside() const
+  {
+    return std::size_t(std::count_if(values.begin(), values.end(), [](double v) { return v < 0; }));
+  }
+  void remove(double wanted, double most)
+  {
+    internal::Handle_removal(lattice, values, most).run(wanted, [&] { return surface_genus(); });
+  }
+};
+
+void remove_handles()
+{
+  // The weaker of bridge and tunnel is changed: a thin ring is cut, the hole of a thick one is filled.
+  Ring thin(14, 3.2), thick(11, 8.8);
+  const std::size_t thin_size = thin.size_of_inside(), thick_size = thick.size_of_inside();
+  assert(thin.surface_genus() == 1 && thick.surface_genus() == 1);
+  assert(internal::genus_of(internal::Marching_tetrahedra(thin.lattice, thin.values).run()) == 1);
+  // A handle that is wanted, or deep, stays.
+  thin.remove(1, 100);
+  thick.remove(1, 100);
+  thin.remove(0, 1);
+  thick.remove(0, 1);
+  assert(thin.size_of_inside() == thin_size && thick.size_of_inside() == thick_size);
+  thin.remove(0, 4);
+  thick.remove(0, 4);
+  std::cout << "thin ring: genus " << thin.surface_genus() << ", " << thin_size - thin.size_of_inside()
+            << " nodes cut; thick ring: genus " << thick.surface_genus() << ", "
+            << thick.size_of_inside() - thick_size << " filled" << std::endl;
+  assert(thin.surface_genus() == 0 && thick.surface_genus() == 0);
+  assert(thin.size_of_inside() < thin_size && thin_size < thin.size_of_inside() + 60);    // a disc of radius 3.2
+  assert(thick.size_of_inside() > thick_size && thick.size_of_inside() < thick_size + 40); // one of radius 2.2
+}
+
 }  // namespace
 
 int main()
@@ -110,6 +163,8 @@ int main()
 
   const internal::Surface_triangles again = reconstruct(points, normals, weight, true);
   assert(again.triangles == with.triangles && again.vertices == with.vertices);
+
+  remove_handles();
 
   // One value and gradients at points make a linear field.
   const internal::Lattice_point size = {6, 6, 6};

@@ -129,6 +129,7 @@
   X(outside_factor)          /* K */                                                    \
   X(smoothness_weight)                                                                  \
   X(surface_weight)                                                                     \
+  X(normal_weight)           /* of the gradients at the points */                       \
   X(skeleton_weight)                                                                    \
   X(outside_weight)                                                                     \
   /* feature-enhanced surfaces */                                                       \

@@ -56,20 +56,32 @@ inline std::vector<double> confirmed_shares(const Skeleton_graph& graph, const P
   return confirmed;
 }
 
-/// Whether denoising gains more than it flattens curved parts. Points in units of their spacing.
-inline bool is_noisy(const Execution& execution, const Points& points)
+/// Typical distance of the points from the planes of their neighbours. Points in units of their spacing.
+inline double measured_noise(const Execution& execution, const Points& points)
 {
-  constexpr double least_noise = 0.15;  // a tube of radius 9 without noise has 0.06
+  constexpr std::size_t few = 12, many = 48;
+  constexpr double narrow = 0.3;  // noise for which the few neighbours' plane is not much wider than thick
   Normal_parameters parameters;
-  parameters.plane_neighbors = parameters.neighbors = 12;
-  return Normal_optimization(execution, points, parameters).noise() > least_noise;
+  parameters.plane_neighbors = parameters.neighbors = few;
+  const double noise = Normal_optimization(execution, points, parameters).noise();
+  if(noise < narrow)
+    return noise;  // few neighbours: curvature counts less, a tube of radius 9 without noise has 0.06
+  parameters.plane_neighbors = parameters.neighbors = many;
+  return Normal_optimization(execution, points, parameters).noise();
+}
+
+/// What remains of the points' weight if they have noise, which is given in cells of the field. The cell's smoothness
+/// and its data balance as the variances of the field and of the noise do.
+inline double share_of_weight(double noise)
+{
+  constexpr double field_noise = 0.12;
+  return 1 / (1 + noise * noise / (field_noise * field_noise));
 }
 
 struct Feature_enhanced_settings {
   Segmentation_settings segmentation;
   std::vector<Part_method> methods;   ///< of the segments; missing ones are automatic
-  bool enhances = true;
-  bool is_enhancement_automatic = true;  ///< only if there is noise
+  bool enhances = false;  ///< on curved parts it flattens more than the field needs
   double sharpness_angle = 20;
   double upsampling_factor = 1;
   Field_parameters field = with_normals();
@@ -107,7 +119,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
     if(normals.empty())
       normals = estimated_normals(execution, points);
     stage.update(0.3);
-    if(settings.is_enhancement_automatic ? is_noisy(execution, points) : settings.enhances) {
+    if(settings.enhances) {
       Feature_parameters features;
       features.oriented = true;
       features.sharpness_angle = settings.sharpness_angle;
@@ -189,10 +201,18 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
   Frame field_frame;
   field_frame.origin = box.centre();
   field_frame.unit = box.sides().maxCoeff();
+  // A skeleton that is given has the right handles; where an extracted one has too few, those that are far from
+  // being closed stay.
+  constexpr double doubtful_depth = 1;  // cells
+  Field_parameters field = settings.field;
+  field.removed_handles =
+    given.nodes.empty() ? doubtful_depth : std::numeric_limits<double>::max();
+  const double cell = field_frame.unit / double(field.resolution);
+  field.surface_weight *= share_of_weight(measured_noise(execution, points) / cell);
   result.surface =
     reconstruct_from_skeleton(execution, local_points(field_frame, fused.points), fused.normals,
                               to_local(result.skeleton, field_frame), is_constraint,
-                              settings.field);
+                              field);
   for(Vec3& v : result.surface.vertices)
     v = frame.to_world(field_frame.to_world(v));
   make_world(frame, fused.points);

@@ -36,6 +36,7 @@ struct Field_parameters {
   double outside_factor = 4;      ///< K: outside is farther from the skeleton than K radii
   std::size_t resolution = 64;    ///< cells along the longest side of the data's box
   bool adaptive = true;
+  double removed_handles = 0;     ///< depth in cells up to which handles that the skeleton does not have are removed
 };
 
 struct Distance_field {

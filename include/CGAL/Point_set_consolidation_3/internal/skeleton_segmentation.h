@@ -19,8 +19,9 @@ namespace internal {
 /// "topological information by segmenting the geometry and constructing curve skeletons"). In: a skeleton with
 /// radii whose nodes know their points. Out: a label for every point.
 ///
-/// Chains between joints are cut where the radius changes; joints go to the incident piece of largest
-/// radius, with the nodes inside the joint's ball.
+/// Chains between joints are cut where the radius changes. A piece goes on beyond a joint if only thinner ones branch
+/// off there. Joints go to the incident piece of largest radius, with the nodes of thinner ones inside the
+/// joint's ball.
 
 struct Skeleton_segmentation_parameters {
   double penalty = 0.4;           ///< lambda: price of a cut, against squared deviations of log radius
@@ -29,6 +30,9 @@ struct Skeleton_segmentation_parameters {
 };
 
 class Skeleton_segmentation {
+  /// Ratio of radii from which on two pieces are equally thick, and up to which one branches off the other.
+  static constexpr double equally_thick = 0.75, branches_off = 0.6;
+
 public:
   Skeleton_segmentation(const Skeleton_graph& graph, std::size_t number_of_points,
                         const Skeleton_segmentation_parameters& parameters)
@@ -119,8 +123,8 @@ private:
     return weight > 0 ? total / weight : 0;
   }
 
-  /// A joint, largest first, goes to the incident piece of largest radius and takes along the nodes of other
-  /// chains inside its ball, which stand for points of the thick part.
+  /// A joint, largest first, goes to the incident piece of largest radius and takes along the nodes of thinner
+  /// pieces inside its ball, which stand for points of the thick part.
   void assign_joints()
   {
     std::vector<std::size_t> joints;
@@ -131,22 +135,43 @@ private:
       return radius(a) != radius(b) ? radius(a) > radius(b) : a < b;
     });
     for(const std::size_t joint : joints) {
-      std::size_t best = none;
-      double largest = -1;
-      for(const std::size_t j : m_neighbors[joint])
-        if(m_piece[j] != none && mean_radius(m_piece[j]) > largest) {
-          largest = mean_radius(m_piece[j]);
-          best = m_piece[j];
-        }
-      m_piece[joint] = best == none ? m_count++ : best;
+      const std::vector<std::size_t> pieces = pieces_at(joint);
+      m_piece[joint] = pieces.empty() ? m_count++ : pieces[0];
+      if(goes_on(pieces))
+        rename(pieces[1], pieces[0]);
       for(const std::size_t j : m_neighbors[joint])
         take_along(joint, joint, j);
     }
   }
+
+  /// Pieces that meet at a joint, the thickest first.
+  std::vector<std::size_t> pieces_at(std::size_t joint) const
+  {
+    std::vector<std::pair<double, std::size_t> > pieces;  // those of equal radius in the order of their numbers
+    for(const std::size_t j : m_neighbors[joint])
+      if(m_piece[j] != none)
+        pieces.emplace_back(-mean_radius(m_piece[j]), m_piece[j]);
+    std::sort(pieces.begin(), pieces.end());
+    std::vector<std::size_t> result;
+    for(const auto& piece : pieces)
+      if(result.empty() || result.back() != piece.second)
+        result.push_back(piece.second);
+    return result;
+  }
+
+  /// Whether the two thickest of at least three pieces are one part that the others branch off.
+  bool goes_on(const std::vector<std::size_t>& pieces) const
+  {
+    return pieces.size() > 2 &&
+           mean_radius(pieces[1]) > equally_thick * mean_radius(pieces[0]) &&
+           mean_radius(pieces[2]) < branches_off * mean_radius(pieces[0]);
+  }
+
   void take_along(std::size_t joint, std::size_t from, std::size_t at)
   {
     std::vector<std::size_t> path;
-    while(!is_joint(at) && at != joint &&
+    const double thinner = equally_thick * mean_radius(m_piece[joint]);
+    while(!is_joint(at) && at != joint && mean_radius(m_piece[at]) < thinner &&
           (m_graph.nodes[at].position - m_graph.nodes[joint].position).norm() < radius(joint)) {
       path.push_back(at);
       if(m_neighbors[at].size() < 2)

@@ -8,7 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_SURFACE_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_SURFACE_H
 
-#include <CGAL/Point_set_consolidation_3/internal/marching_tetrahedra.h>
+#include <CGAL/Point_set_consolidation_3/internal/field_topology.h>
 #include <CGAL/Point_set_consolidation_3/internal/signed_distance_field.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_radii.h>
 
@@ -92,10 +92,16 @@ inline Surface_triangles reconstruct_from_skeleton(Execution& execution, const P
               .compute(stage);
   }
   Stage stage(execution, "surface", 0.1);
-  Surface_triangles surface = Marching_tetrahedra(field.lattice, field.values).run();
-  for(Vec3& v : surface.vertices)
-    v = field.frame.to_world(v);
-  return components_with_skeleton(surface, skeleton);
+  const auto surface_of_field = [&] {
+    Surface_triangles surface = Marching_tetrahedra(field.lattice, field.values).run();
+    for(Vec3& v : surface.vertices)
+      v = field.frame.to_world(v);
+    return components_with_skeleton(surface, skeleton);
+  };
+  if(parameters.removed_handles > 0)
+    Handle_removal(field.lattice, field.values, parameters.removed_handles)
+      .run(double(number_of_cycles(skeleton)), [&] { return genus_of(surface_of_field()); });
+  return surface_of_field();
 }
 
 }  // namespace internal
