@@ -525,18 +525,22 @@ Figure_result figure_7(const std::string& data)
 {
   Figure_result figure;
   figure.shares_camera = false;
-  for(const char* model : {"man", "armadillo", "refined_elephant", "bear", "cow"}) {
+  const std::vector<std::pair<std::string, double>> scans = {{"man", 0}, {"armadillo", 0}, {"refined_elephant", 0},
+                                                             {"bear", 0}, {"cow", 0}, {"man", 0.3}, {"armadillo", 0.3}};
+  for(const auto& [model, noise] : scans) {
     const Triangle_mesh truth = figure_model(data, model);
     Scanner_options options;
     options.views = 3;
     options.points = 40000;
+    options.noise = noise;
     const Scan scan = scan_mesh(truth, options);
     const Judge judge(truth, truth_cloud(scan));
     const Method_result direct = method_called("direct").run(scan.cloud);
     Point_cloud cloud;
     cloud.points = direct.points;
     cloud.normals = direct.normals;
-    Figure_table table{std::string(model) + ", three views; no edits of the skeleton", mesh_columns(), {}};
+    Figure_table table{model + ", three views" + (noise > 0 ? ", 0.3 % noise" : "") + "; no edits of the skeleton",
+                       mesh_columns(), {}};
     const auto add = [&](const std::string& name, const Triangle_mesh& mesh) {
       table.rows.push_back({name, mesh_row(judge.mesh(mesh))});
       figure.panels.push_back(mesh_panel(name, mesh));
