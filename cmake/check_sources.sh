@@ -36,7 +36,7 @@ failed=0
 for file in "${files[@]}"; do
   case $file in */draw_*) continue ;; esac # needs CGAL's part for Qt
   if [ -n "$tidy" ]; then
-    findings=$(clang-tidy --quiet "$file" -- "${flags[@]}" 2>/dev/null)
+    findings=$(clang-tidy --quiet --config-file="$root/.clang-tidy" "$file" -- "${flags[@]}" 2>/dev/null)
   else
     findings=$(clang++ -fsyntax-only "${flags[@]}" "$file" 2>&1)
   fi
