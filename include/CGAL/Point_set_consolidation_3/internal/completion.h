@@ -79,7 +79,7 @@ public:
     }
     completed = Gap_selection(m_execution, m_input.points, m_seen, m_data_tree, m_balls,
                               m_parameters.gaps)
-                  .run(completed, is_one_view);
+                  .run(completed, is_one_view, m_free_space.empty());
     describe(completed);
     return completed;
   }
@@ -261,10 +261,10 @@ private:
     return !m_free_space.empty() && m_free_space(x) > tolerance;
   }
 
-  /// Nothing bounds the depth of a sheet that nothing opposes if no rays are known either.
+  /// Nothing bounds the depth of a sheet that nothing opposes if the caller knows no rays either.
   bool is_mere_guess(const Vec3& x) const
   {
-    return m_free_space.empty() &&
+    return (m_free_space.empty() || m_input.directions.is_estimated) &&
            m_sunk.anchoring[m_centre_tree->nearest(x).index] == Anchoring::unanchored;
   }
 

@@ -12,11 +12,13 @@
 #include <CGAL/Point_set_consolidation_3/internal/ball_union.h>
 #include <CGAL/Point_set_consolidation_3/internal/completed_points.h>
 #include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
+#include <CGAL/Point_set_consolidation_3/internal/data_hull.h>
 #include <CGAL/Point_set_consolidation_3/internal/flat_closure.h>
 #include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 
 #include <array>
+#include <memory>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -30,6 +32,8 @@ class Gap_selection {
   static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
   static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
+  /// How far a gap may swell out of the data's hull where no rays are known: share of the data's diagonal.
+  static constexpr double blind_swelling = 0.05;
 
 public:
   Gap_selection(Execution& execution, const Points& particles, const Seen_part& seen,
@@ -39,9 +43,12 @@ public:
     , m_balls(balls), m_centre_tree(balls.centres), m_parameters(parameters)
   {}
 
-  /// `is_all_open`: after one view everything is open, and all gaps are completed.
-  Completed_points run(const Completed_points& completed, bool is_all_open)
+  /// `is_all_open`: after one view everything is open, and all gaps are completed. `is_blind`: no rays are
+  /// known, so that nothing else bounds how far a gap's closure swells.
+  Completed_points run(const Completed_points& completed, bool is_all_open, bool is_blind)
   {
+    if(is_blind)
+      m_hull = std::make_unique<Data_hull>(m_particles);
     m_wide = m_narrow = Completed_points();
     m_narrow_error = 0;
     Completed_points allowed = completed;
@@ -64,7 +71,7 @@ private:
     std::sort(indices.begin(), indices.end());
     Completed_points gap = completed.part(indices);
     const double half_width = *std::max_element(gap.distance.begin(), gap.distance.end());
-    if(2 * half_width > m_parameters.largest)
+    if(2 * half_width > m_parameters.largest || swells(gap))
       return;
     const std::vector<Index> border = border_of(m_execution, m_data_tree, gap.points);
     const Prior prior = m_parameters.prior_of(border);
@@ -79,6 +86,15 @@ private:
     m_narrow_error += double(gap.points.size()) * prediction_error(border, half_width) /
                       typical_radius(gap);
     m_narrow.append(gap);
+  }
+
+  bool swells(const Completed_points& gap) const
+  {
+    if(!m_hull)
+      return false;
+    const double most = blind_swelling * bounding_box(m_particles).diagonal();
+    return std::any_of(gap.points.begin(), gap.points.end(),
+                       [&](const Vec3& x) { return m_hull->distance(x) > most; });
   }
 
   /// A plane through the border, or the gap as it is if the border is far from flat.
@@ -153,6 +169,7 @@ private:
   const Balls& m_balls;
   Nearest_neighbors m_centre_tree;
   const Gap_parameters& m_parameters;
+  std::unique_ptr<Data_hull> m_hull;   ///< of the data, if that bounds completion
   Completed_points m_wide, m_narrow;
   double m_narrow_error = 0;
 };

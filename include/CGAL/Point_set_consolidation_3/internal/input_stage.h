@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/view_estimation.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/jet_estimate_normals.h>
@@ -192,6 +193,20 @@ inline void remove_isolated(const Execution& execution, Points& points)
   points.swap(kept);
 }
 
+/// A scan that can have been taken from one side is taken for one from there, with parallel rays.
+inline void assume_single_view(const Execution& execution, Consolidated_input& input)
+{
+  const std::optional<Vec3> axis = View_estimation(execution, input.points, input.normals).run();
+  if(!axis)
+    return;
+  input.directions.towards_scanner.assign(input.data.size(), *axis);
+  input.directions.view.assign(input.data.size(), 0);
+  input.directions.is_estimated = true;
+  for(Vec3& n : input.normals)
+    if(n.dot(*axis) < 0)
+      n = -n;
+}
+
 template <typename ConcurrencyTag>
 Consolidated_input consolidate_input(Execution& execution, double share, const Points& world,
                                      const Points& hints, const Scan_directions& directions,
@@ -239,10 +254,13 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
   if(!directions.empty())
     orient_by_hints(execution, input.points, input.normals, input.data,
                     directions.towards_scanner);
-  else if(!hints.empty())
-    orient_by_hints(execution, input.points, input.normals, input.data, hints);
-  else
-    orient_by_spanning_tree(input.points, input.normals, parameters.orientation_neighbors);
+  else {
+    if(!hints.empty())
+      orient_by_hints(execution, input.points, input.normals, input.data, hints);
+    else
+      orient_by_spanning_tree(input.points, input.normals, parameters.orientation_neighbors);
+    assume_single_view(execution, input);
+  }
   return input;
 }
 

@@ -22,6 +22,7 @@ struct Scan_directions {
   std::vector<std::size_t> view;   ///< in [0, number of views)
   Points missed;                   ///< a point on each ray that met nothing; empty: not known
   std::vector<std::size_t> missed_view;
+  bool is_estimated = false;       ///< from the points; the caller knows none
 
   bool empty() const { return towards_scanner.empty(); }
   std::size_t number_of_views() const

@@ -1,0 +1,129 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_VIEW_ESTIMATION_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_VIEW_ESTIMATION_H
+
+#include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+#include <CGAL/Point_set_consolidation_3/internal/views.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Whether oriented points can have been seen from one side, and from which: all normals face it and no
+/// point hides another. A scan from one position without its directions is recognised by that; to know
+/// where its rays have passed keeps completion from swelling. Lengths in units of the spacing of the points.
+class View_estimation {
+  static constexpr double outlying = 0.03;        ///< share of points that need not fit
+  static constexpr double hidden_share = 0.1;
+  static constexpr double first_turn = 0.04, last_turn = 0.009;  ///< radians
+  static constexpr double stiffness = 1;   ///< six degrees must spare one percent of the points
+  static constexpr double grazing = 0.4;          ///< cosine: steeper parts rise without hiding
+  static constexpr double least_rise = 3;         ///< between a point and one that it hides
+  static constexpr int steps = 200;
+
+public:
+  View_estimation(const Execution& execution, const Points& points, const Points& normals)
+    : m_execution(execution), m_points(points), m_normals(normals)
+  {}
+
+  /// Direction towards the scanner; none if there is no such direction.
+  std::optional<Vec3> run() const
+  {
+    Vec3 axis = Vec3::Zero();
+    for(const Vec3& n : m_normals)
+      axis += n;
+    if(!(axis.norm() > tiny_length))
+      return std::nullopt;
+    axis.normalize();
+    // The centre of the smallest cap that holds the normals, by steps towards the farthest (Badoiu, Clarkson).
+    for(int k = 1; k <= steps; ++k)
+      axis = (axis + (farthest(axis) - axis) / double(k + 1)).normalized();
+    if(farthest(axis).dot(axis) <= 0)
+      return std::nullopt;
+    const double share = refine(axis);
+    if(share > hidden_share)
+      return std::nullopt;
+    return axis;
+  }
+
+private:
+  /// Normal at the greatest angle, but for the outlying ones.
+  Vec3 farthest(const Vec3& axis) const
+  {
+    std::vector<std::pair<double, Index> > cosines(m_normals.size());
+    for(std::size_t i = 0; i < cosines.size(); ++i)
+      cosines[i] = {m_normals[i].dot(axis), Index(i)};
+    const auto nth = cosines.begin() + std::ptrdiff_t(outlying * double(cosines.size()));
+    std::nth_element(cosines.begin(), nth, cosines.end());
+    return m_normals[nth->second];
+  }
+
+  /// Turns the axis to where fewer points hide others, though not far; returns their share.
+  double refine(Vec3& axis) const
+  {
+    const Vec3 centre = axis;
+    const auto cost = [&](const Vec3& d) {
+      return share_of_hidden(d) + stiffness * (d - centre).squaredNorm();
+    };
+    double least = cost(axis);
+    for(double angle = first_turn; angle >= last_turn; angle /= 2)
+      for(bool has_turned = true; has_turned;) {
+        has_turned = false;
+        const Projection projection = Projection::orthographic(axis);
+        for(const Vec3& side : {projection.right(), Vec3(-projection.right()), projection.up(),
+                                Vec3(-projection.up())}) {
+          const Vec3 turned = (axis + angle * side).normalized();
+          const double turned_cost = cost(turned);
+          if(turned_cost < least) {
+            least = turned_cost;
+            axis = turned;
+            has_turned = true;
+          }
+        }
+      }
+    return share_of_hidden(axis);
+  }
+
+  /// Points that face the scanner with another such point before or behind them.
+  double share_of_hidden(const Vec3& axis) const
+  {
+    const Projection projection = Projection::orthographic(axis);
+    Points image(m_points.size());
+    std::vector<double> height(m_points.size());
+    for(std::size_t i = 0; i < image.size(); ++i) {
+      const Vec3 p = projection(m_points[i]);
+      image[i] = Vec3(p.x(), p.y(), 0);
+      height[i] = p.z();
+    }
+    const Sorted_grid grid(image, 1);
+    std::vector<char> is_hidden(image.size(), 0);
+    parallel_for(m_execution, image.size(), [&](std::size_t i) {
+      if(m_normals[i].dot(axis) > grazing)
+        grid.for_each_neighbor(image[i], 1, [&](Index j, double) {
+          is_hidden[i] = m_normals[j].dot(axis) > grazing &&
+                         std::abs(height[j] - height[i]) > least_rise;
+          return !is_hidden[i];
+        });
+    });
+    return double(std::count(is_hidden.begin(), is_hidden.end(), 1)) / double(image.size());
+  }
+
+  const Execution& m_execution;
+  const Points& m_points;
+  const Points& m_normals;
+};
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_VIEW_ESTIMATION_H
