@@ -48,7 +48,7 @@ namespace CGAL {
       \cgalParamDescription{directions from the points towards the scanner; they orient the normals and keep
         completed points out of space that rays have passed}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
-      \cgalParamDefault{none}
+      \cgalParamDefault{none; a scan that can have been taken from one side is taken for one}
       \cgalParamExtra{Precedence over `normal_map`. Not zero.}
     \cgalParamNEnd
     \cgalParamNBegin{view_index_map}

@@ -229,6 +229,46 @@ void completion()
   assert(clipped > 0 && clipped < completed.size());  // it tells some points from others
 }
 
+/// Without directions a scan from one side is recognised, and completed as well as with them; what was seen
+/// all around is not taken for such a scan.
+void unknown_scanner()
+{
+  using namespace CGAL::Point_set_consolidation_3::internal;
+  std::cout << "scans without directions" << std::endl;
+  const auto torus = synthetic::torus(1, 0.35);
+  const Vec3 view = Vec3(1, .45, .35).normalized();
+  const Execution execution = make_execution<CGAL::Sequential_tag>();
+  for(const std::size_t views : {1u, 2u, 4u}) {
+    const std::vector<Vec3> all = {view, -view, Vec3(-.4, 1, .2).normalized(), Vec3(.4, -1, .2).normalized()};
+    const Scan scan =
+      synthetic::scan(torus, std::vector<Vec3>(all.begin(), all.begin() + std::ptrdiff_t(views)), 4000, 1);
+    const double r =
+      mean(neighbor_distances(execution, Nearest_neighbors(scan.points), scan.points, 1));
+    Points points, normals;
+    for(const Vec3& p : scan.points) {
+      points.push_back(p / r);
+      normals.push_back(torus.normal(p));
+    }
+    const std::optional<Vec3> found = View_estimation(execution, points, normals).run();
+    assert(found.has_value() == (views == 1));
+    assert(!found || found->dot(view) > std::cos(CGAL_PI / 18));
+  }
+
+  const Scan scan = synthetic::scan(torus, {view}, 12000, 1);
+  std::vector<Point> points;
+  for(const Vec3& p : scan.points)
+    points.emplace_back(p.x(), p.y(), p.z());
+  std::vector<Completed_point> completed;
+  CGAL::complete_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(completed),
+                                                            params::number_of_output_points(3000));
+  double error = 0;
+  for(const Completed_point& p : completed)
+    error += 100 * std::abs(torus.distance(vec3(p.outer()))) / torus.diagonal() /
+             double(completed.size());
+  std::cout << "  " << completed.size() << " points, error " << error << " %" << std::endl;
+  assert(completed.size() > 1000 && error < 1.0);
+}
+
 void boxes()
 {
   using psc::internal::Bounding_box;
@@ -676,6 +716,7 @@ int main()
   y_of_tubes();
   thin_plate();
   completion();
+  unknown_scanner();
   boxes();
   closures();
   missed_rays();

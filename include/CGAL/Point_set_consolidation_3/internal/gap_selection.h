@@ -32,8 +32,9 @@ class Gap_selection {
   static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
   static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
-  /// How far a gap may swell out of the data's hull where no rays are known: share of the data's diagonal.
-  static constexpr double blind_swelling = 0.05;
+  /// A gap whose closure leaves the data's hull farther than both is a balloon: share of the data's
+  /// diagonal, and of the closure's largest distance from the data (0.7 at the round end of a tube).
+  static constexpr double least_swelling = 0.05, swelling_share = 0.8;
 
 public:
   Gap_selection(Execution& execution, const Points& particles, const Seen_part& seen,
@@ -71,7 +72,7 @@ private:
     std::sort(indices.begin(), indices.end());
     Completed_points gap = completed.part(indices);
     const double half_width = *std::max_element(gap.distance.begin(), gap.distance.end());
-    if(2 * half_width > m_parameters.largest || swells(gap))
+    if(2 * half_width > m_parameters.largest || is_balloon(gap, half_width))
       return;
     const std::vector<Index> border = border_of(m_execution, m_data_tree, gap.points);
     const Prior prior = m_parameters.prior_of(border);
@@ -88,11 +89,12 @@ private:
     m_narrow.append(gap);
   }
 
-  bool swells(const Completed_points& gap) const
+  bool is_balloon(const Completed_points& gap, double half_width) const
   {
     if(!m_hull)
       return false;
-    const double most = blind_swelling * bounding_box(m_particles).diagonal();
+    const double most = (std::max)(least_swelling * bounding_box(m_particles).diagonal(),
+                                   swelling_share * half_width);
     return std::any_of(gap.points.begin(), gap.points.end(),
                        [&](const Vec3& x) { return m_hull->distance(x) > most; });
   }
