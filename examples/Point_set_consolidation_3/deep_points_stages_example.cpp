@@ -1,4 +1,5 @@
 #include <CGAL/Deep_points_consolidation_3.h>
+#include <CGAL/meso_skeleton_to_graph.h>
 
 #include <CGAL/IO/read_points.h>
 #include <CGAL/IO/write_points.h>
@@ -40,9 +41,11 @@ int main(int argc, char* argv[])
             << consolidation.number_of_sinking_iterations() << " iterations\n";
 
   consolidation.form_meso_skeleton();
-  std::vector<Point> skeletal_points;
-  for(std::size_t i = 0; i < consolidation.size(); ++i)
-    skeletal_points.push_back(consolidation.skeletal_point(i));
+  CGAL::Meso_skeleton_3<Kernel> skeleton;
+  CGAL::meso_skeleton_to_graph(consolidation, skeleton);
+  std::cout << "meso-skeleton: " << num_vertices(skeleton.graph) << " vertices, "
+            << number_of_sheets(skeleton) << " sheets of " << skeleton.triangles.size() << " triangles, "
+            << number_of_cycles(skeleton) << " cycles\n";
 
   consolidation.consolidate_outer_points();
   std::vector<CGAL::Deep_point_3<Kernel> > deep_points;
@@ -58,7 +61,7 @@ int main(int argc, char* argv[])
   const auto outer = CGAL::parameters::point_map(CGAL::Deep_point_outer_map<Kernel>())
                        .normal_map(CGAL::Deep_point_normal_map<Kernel>())
                        .stream_precision(17);
-  return CGAL::IO::write_points("meso_skeleton.xyz", skeletal_points) &&
+  return CGAL::IO::write_meso_skeleton("meso_skeleton.ply", skeleton) &&
              CGAL::IO::write_points("outer_points.ply", deep_points, outer)
            ? EXIT_SUCCESS : EXIT_FAILURE;
 }
