@@ -32,9 +32,12 @@ int main(int argc, char* argv[])
   CGAL::anisotropic_wlop_simplify_and_regularize_point_set<CGAL::Parallel_if_available_tag>(
     points, std::back_inserter(projected), params::select_percentage(25));
 
-  // add points, preferably at edges
+  // normals of the two sides of an edge, not of their mean
   const auto maps = params::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
                       .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
+  CGAL::optimize_normals_across_edges<CGAL::Parallel_if_available_tag>(projected, maps);
+
+  // add points, preferably at edges
   std::vector<Oriented_point> upsampled;
   CGAL::anisotropic_edge_aware_upsample_point_set<CGAL::Parallel_if_available_tag>(
     projected, std::back_inserter(upsampled), maps.number_of_output_points(points.size()));
