@@ -94,6 +94,55 @@ internal::Surface_triangles reconstruct(const Points& points, const Points& norm
   return internal::reconstruct_feature_enhanced(execution, points, normals, {}, settings).surface;
 }
 
+// Standard normal numbers.
+class Normal_numbers {
+public:
+  double operator()()
+  {
+    const double u = double((m_engine() >> 11) + 1) * 0x1.0p-53, v = double(m_engine() >> 11) * 0x1.0p-53;
+    return std::sqrt(-2 * std::log(u)) * std::cos(6.283185307179586 * v);
+  }
+
+private:
+  std::mt19937_64 m_engine{5};
+};
+
+// The noise of a point set is measured, whether it is smaller or larger than the spacing allows to see at once.
+void measure_noise()
+{
+  for(const double noise : {0.1, 0.6}) {
+    Normal_numbers normal_number;
+    Points plane;
+    for(int i = 0; i < 3600; ++i)
+      plane.emplace_back(i % 60 + 0.3 * normal_number(), i / 60 + 0.3 * normal_number(), noise * normal_number());
+    internal::Execution execution = {false, internal::Progress(), {}};
+    const double measured = internal::measured_noise(execution, plane);
+    std::cout << "noise " << noise << " of the spacing, measured " << measured << std::endl;
+    assert(std::abs(measured - noise) < 0.25 * noise);
+  }
+}
+
+// Points with noise have less weight: with the weight of exact points the surface follows the noise.
+void reconstruct_noisy(const Points& points, const Points& normals)
+{
+  constexpr double noise = 0.06 * radius;
+  Normal_numbers normal_number;
+  Points noisy;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    noisy.push_back(points[i] + noise * normal_number() * normals[i]);
+  internal::Feature_enhanced_settings settings;
+  internal::Execution execution = {false, internal::Progress(), {}};
+  const double error =
+    mean_error(internal::reconstruct_feature_enhanced(execution, noisy, normals, {}, settings).surface);
+  settings.field.surface_weight *= 100;
+  const double error_of_much_weight =
+    mean_error(internal::reconstruct_feature_enhanced(execution, noisy, normals, {}, settings).surface);
+  std::cout << "noise " << noise << ": error " << error << ", with a hundred times the weight "
+            << error_of_much_weight << std::endl;
+  assert(error < 0.4 * noise);
+  assert(error < 0.8 * error_of_much_weight);
+}
+
 // A ring around z on a lattice, and what is left of its handle if none is wanted.
 struct Ring {
   internal::Sparse_lattice lattice;
@@ -165,6 +214,8 @@ int main()
   assert(again.triangles == with.triangles && again.vertices == with.vertices);
 
   remove_handles();
+  measure_noise();
+  reconstruct_noisy(points, normals);
 
   // One value and gradients at points make a linear field.
   const internal::Lattice_point size = {6, 6, 6};

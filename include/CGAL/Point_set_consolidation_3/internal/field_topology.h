@@ -12,8 +12,10 @@
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <queue>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
