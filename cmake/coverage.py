@@ -44,6 +44,8 @@ def main():
     all_lines = all_run = 0
     for name in sorted(runs):
         lines = runs[name]
+        if not lines:
+            continue
         missed = sorted(number for number, count in lines.items() if count == 0)
         all_lines += len(lines)
         all_run += len(lines) - len(missed)
@@ -52,7 +54,7 @@ def main():
     for folder, _, names in os.walk(include):
         for name in sorted(names):
             path = os.path.relpath(os.path.join(folder, name), include)
-            if path not in runs:
+            if not runs.get(path):
                 print(f"     -    {path}  no code that any test compiles")
     print(f"{100 * all_run / max(1, all_lines):6.1f} %  of {all_lines} lines")
 

@@ -161,7 +161,7 @@ OutputIterator anisotropic_wlop_simplify_and_regularize_point_set(
   require(percentage > 0 && percentage <= 100, function, "select_percentage must be in (0, 100]");
   settings.count = parameter_or(
     np, tags::number_of_output_points,
-    (std::max)(std::size_t(1), std::size_t(percentage / 100 * double(world.size()) + 0.5)));
+    (std::max)(std::size_t(1), std::size_t(std::round(percentage / 100 * double(world.size())))));
   require(settings.count > 0 && settings.count <= world.size(), function,
           "number_of_output_points must be at least 1 and at most the number of points");
   require(wlop.support_radius >= 0 && std::isfinite(wlop.support_radius), function,

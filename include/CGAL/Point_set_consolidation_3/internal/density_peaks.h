@@ -42,6 +42,7 @@ inline Segmentation numbered_by_size(const std::vector<std::size_t>& raw)
     ++inserted.first->second.size;
   }
   std::vector<Entry> order;
+  order.reserve(found.size());
   for(const auto& f : found)
     order.push_back(f.second);
   std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) {

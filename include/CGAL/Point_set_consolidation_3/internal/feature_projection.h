@@ -225,7 +225,7 @@ inline void enhance_features(const Execution& execution, Points& points, Points&
     const Normal_optimization optimization(execution, points, normal_parameters);
     normals = optimization.separated_normals(normals);
     optimization.smooth(normals);
-    const Nearest_table table = optimization.table();
+    const Nearest_table& table = optimization.table();
     project_on_clusters(execution, points, normals, table, projection);
   }
   const Points surface = points, surface_normals = normals;

@@ -244,6 +244,7 @@ private:
         entry->second = k;
     }
     std::vector<Skeleton_edge> result;
+    result.reserve(shortest.size());
     for(const auto& entry : shortest)
       result.push_back(list[entry.second]);
     return result;

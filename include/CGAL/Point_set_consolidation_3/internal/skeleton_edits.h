@@ -298,7 +298,9 @@ inline void apply_edits(std::istream& in, Skeleton_editor& editor)
     if(!(words >> command))
       continue;
     const auto fail = [&](const std::string& what) {
-      throw std::invalid_argument("line " + std::to_string(number) + ", " + command + ": " + what);
+      std::string message = "line " + std::to_string(number);
+      message.append(", ").append(command).append(": ").append(what);
+      throw std::invalid_argument(message);
     };
     const auto real = [&] {
       double value = 0;

@@ -40,7 +40,7 @@ struct Tangent_rings {
 inline std::size_t default_ring_neighbors(std::size_t n)
 {
   constexpr double share = 0.012;
-  return (std::min)(std::size_t(12), (std::max)(std::size_t(8), std::size_t(share * double(n) + 0.5)));
+  return (std::min)(std::size_t(12), (std::max)(std::size_t(8), std::size_t(std::round(share * double(n)))));
 }
 
 class Tangent_ring_finder {
