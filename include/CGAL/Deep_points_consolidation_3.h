@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_skeleton.h>
+#include <CGAL/Point_set_consolidation_3/internal/mirrored_scan.h>
 #include <CGAL/Point_set_consolidation_3/internal/scan_directions.h>
 #include <CGAL/Point_set_consolidation_3/internal/sinking.h>
 #include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
@@ -165,19 +166,22 @@ public:
       return false;
     return run(m_stage, [&] {
       using namespace Point_set_consolidation_3::internal;
-      Stage stage(m_execution, "completion", 0.5);
-      m_seen = Seen_part_estimation::estimate(m_execution, m_input.data, outer_sides());
-      stage.update(0.3);
+      {
+        Stage stage(m_execution, "seen part", 0.1);
+        m_seen = Seen_part_estimation::estimate(m_execution, m_input.data, outer_sides());
+      }
+      const double margin = m_seen.spacing + (m_seen.is_noisy ? 3 * m_seen.noise : 0);
       Free_space free_space;
       if(!m_input.directions.empty())
-        free_space = Free_space(m_execution, m_input.data, m_input.directions, region(),
-                                m_seen.spacing + (m_seen.is_noisy ? 3 * m_seen.noise : 0));
-      stage.update(0.4);
+        free_space = Free_space(m_execution, m_input.data, m_input.directions, region(), margin);
       Completion_parameters parameters;
       parameters.gaps = m_gaps;
       parameters.gaps.largest = m_largest_gap / m_input.frame.unit;
-      m_completed = Completion(m_execution, m_input, m_seen, m_sunk, free_space, parameters)
-                      .run(stage);
+      if(!complete_by_symmetry(free_space, margin, parameters)) {
+        Stage stage(m_execution, "completion", 0.4);
+        m_completed = Completion(m_execution, m_input, m_seen, m_sunk, free_space, parameters)
+                        .run(stage);
+      }
       m_has_completion = true;
       m_execution.progress.finish();
     });
@@ -209,7 +213,7 @@ public:
       const double distance = m_completed.distance[i];
       *output++ = Completed_point_3<Traits>(
         Deep_point(world(m_completed.points[i]), world(m_completed.inner[i]),
-                   vector(m_completed.normals[i]), FT(confidence(distance))),
+                   vector(m_completed.normals[i]), FT(confidence(m_completed.uncertainty[i]))),
         FT(m_input.frame.unit * distance), m_completed.is_clipped[i] != 0,
         m_completed.is_unanchored[i] != 0);
     }
@@ -314,6 +318,9 @@ private:
     m_gaps.shrinkage = m_surface_parameters.shrinkage;
     m_largest_gap = positive(function, np, Point_set_consolidation_3::internal_np::maximum_hole_size,
                              "maximum_hole_size", (std::numeric_limits<double>::max)());
+    const bool is_usual = m_gaps.priors.empty() && m_gaps.prior == Prior::VOLUME_PRESERVING &&
+                          !(m_largest_gap < (std::numeric_limits<double>::max)());
+    m_use_symmetry = parameter_or(np, Point_set_consolidation_3::internal_np::use_symmetry, is_usual);
   }
 
   /// Where data count; outliers lie beyond.
@@ -321,6 +328,35 @@ private:
   {
     constexpr double margin = 5;
     return Point_set_consolidation_3::internal::bounding_box(m_input.points).grown(margin);
+  }
+
+  /// Completes the scan and its image by the shape's mirror plane; false if no plane is certain.
+  bool complete_by_symmetry(const Point_set_consolidation_3::internal::Free_space& free_space,
+                            double margin,
+                            Point_set_consolidation_3::internal::Completion_parameters parameters)
+  {
+    using namespace Point_set_consolidation_3::internal;
+    if(!m_use_symmetry || free_space.empty() || m_input.directions.is_estimated)
+      return false;
+    const Mirror_symmetry symmetry(m_execution, m_input.points, m_input.normals, free_space);
+    Mirror_plane plane;
+    if(!symmetry.find(plane))
+      return false;
+    const Mirrored_scan scan(m_execution, m_input, m_seen, m_gaps, free_space, symmetry, plane);
+    if(!scan.is_larger_than(m_seen))
+      return false;
+    Sunk_points sunk;
+    {
+      Stage stage(m_execution, "sinking of images", 0.1);
+      sunk = sink(m_execution, stage, scan.input().points, scan.input().normals,
+                  m_sinking_parameters);
+    }
+    Stage stage(m_execution, "completion", 0.3);
+    parameters.gaps = scan.gaps();
+    m_completed = Completion(m_execution, scan.input(), scan.seen(), sunk, scan.free_space(margin),
+                             parameters, m_seen.points.size())
+                    .run(stage);
+    return true;
   }
 
   /// For each input point a direction on the outer side.
@@ -361,6 +397,7 @@ private:
   Point_set_consolidation_3::internal::Seen_part m_seen;
   Point_set_consolidation_3::internal::Completed_points m_completed;
   bool m_has_completion = false;
+  bool m_use_symmetry = true;
   std::vector<double> m_confidence;
   /// \endcond
 };

@@ -21,7 +21,7 @@ namespace CGAL {
   The deep points of \cgalCite{cgal:wshcl-dpc-15}, section 4.1, give each point of the consolidated
   set a ball inside of the shape. Balls are clipped by the data and by the space that rays have passed; their
   union is smoothed and sampled farther than six spacings from the data: smaller gaps are bridged better by the
-  mesher. This is not the paper's own completion, which `deep_points_consolidate_point_set()` offers; it
+  mesher. If the scan shows that the shape has a mirror plane, the measured side completes the other one. This is not the paper's own completion, which `deep_points_consolidate_point_set()` offers; it
   is more accurate on shapes that are no tubes.
 
   The input is neither changed nor reordered; the result does not depend on `ConcurrencyTag`, bit for bit.
@@ -66,6 +66,16 @@ namespace CGAL {
       \cgalParamDescription{points that are not denoised, and next to which nothing is completed}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `bool`}
       \cgalParamDefault{nothing is constrained}
+    \cgalParamNEnd
+    \cgalParamNBegin{use_symmetry}
+      \cgalParamDescription{whether a mirror plane of the shape, if the scan shows one, completes the other side:
+        the data are reflected to where no data are near and no ray has passed, and so are the rays}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`; `false` if `prior` or `prior_map` ask for something else than `VOLUME_PRESERVING`, or
+        if `maximum_hole_size` is given}
+      \cgalParamExtra{Directions or positions of the scanner must be known. A plane is accepted if
+        at least 80 percent of the reflected points that face the scanner lie on the data, and those that lie in free
+        space are less than 12 percent of them. Where they do, the shape is taken for asymmetric.}
     \cgalParamNEnd
     \cgalParamNBegin{denoised_point_map}
       \cgalParamDescription{receives the positions of the caller's points as they should be meshed: unchanged

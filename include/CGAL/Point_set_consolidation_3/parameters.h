@@ -111,6 +111,7 @@
   X(completed_spacing)       /* of filled regions, in r */                              \
   /* completion */                                                                      \
   X(maximum_hole_size)                                                                  \
+  X(use_symmetry)                                                                       \
   X(missed_rays)             /* a point on each, and its view */                        \
   X(denoised_point_map)                                                                 \
   X(denoised_normal_map)                                                                \

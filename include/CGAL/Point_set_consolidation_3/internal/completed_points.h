@@ -18,6 +18,7 @@ namespace internal {
 struct Completed_points {
   Points points, normals, inner;
   std::vector<double> distance;       ///< to the nearest datum, in r
+  std::vector<double> uncertainty;    ///< to the nearest datum or image of one by symmetry, in r
   std::vector<char> is_clipped;       ///< the ball's radius is bounded by data or free space
   std::vector<char> is_unanchored;    ///< nothing opposes: the depth is a guess
 

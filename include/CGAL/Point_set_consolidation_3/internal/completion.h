@@ -43,14 +43,26 @@ struct Completion_parameters {
 class Completion {
   static constexpr double largest_ball = 0.3;     ///< of the diagonal
   static constexpr double obstacle_distance = 2.5;  ///< in sp: nearer free space is the data's own
+  static constexpr double image_uncertainty = 2;  ///< like completed points at this distance from data
+  static constexpr double below_data = 0.5;       ///< there the solid must be
+  static constexpr double thin_part = 3;          ///< radius of balls beyond which the solid is sampled anyway
+  static constexpr double thickest_back = 6;
   static constexpr double most_nodes = 3e7;       ///< coarser grids beyond: 16 bytes a node
 
 public:
   Completion(Execution& execution, const Consolidated_input& input, const Seen_part& seen,
              const Sunk_points& sunk, const Free_space& free_space,
              const Completion_parameters& parameters)
+    : Completion(execution, input, seen, sunk, free_space, parameters, seen.points.size())
+  {}
+
+  /// Only the first `measured` points of the seen part are data; the others, images by symmetry, are
+  /// completed points that are known before.
+  Completion(Execution& execution, const Consolidated_input& input, const Seen_part& seen,
+             const Sunk_points& sunk, const Free_space& free_space,
+             const Completion_parameters& parameters, std::size_t measured)
     : m_execution(execution), m_parameters(parameters), m_input(input), m_seen(seen), m_sunk(sunk)
-    , m_free_space(free_space), m_data_tree(seen.points)
+    , m_free_space(free_space), m_measured(measured), m_data_tree(seen.points)
   {}
 
   Completed_points run(Stage& stage)
@@ -75,11 +87,19 @@ public:
       correct_border(solid, part);
       part.keep_if([&](const Vec3& x) { return !is_seen_through(x) && !is_mere_guess(x); });
       completed.append(part);
+      note_missed(boxes[b], solid);
       stage.update(0.4 + 0.6 * double(b + 1) / double(boxes.size()));
     }
     completed = Gap_selection(m_execution, m_input.points, m_seen, m_data_tree, m_balls,
                               m_parameters.gaps)
                   .run(completed, is_one_view, m_free_space.empty());
+    if(is_one_view)
+      completed.append(thin_backs(completed));
+    for(std::size_t j = m_measured; j < m_seen.points.size(); ++j) {
+      completed.points.push_back(m_seen.points[j]);
+      completed.normals.push_back(m_seen.normals[j]);
+      completed.distance.push_back(0);
+    }
     describe(completed);
     return completed;
   }
@@ -254,6 +274,58 @@ private:
       completed.points[i] += smoothed[i] * completed.normals[i];
   }
 
+  /// Data that the solid does not reach: parts that are too thin for it.
+  void note_missed(const Bounding_box& box, const Scalar_grid& solid)
+  {
+    m_is_missed.resize(m_seen.points.size(), 0);
+    parallel_for(m_execution, m_seen.points.size(), [&](std::size_t j) {
+      const Vec3 x = m_seen.points[j] - below_data * m_seen.normals[j];
+      if(box.contains(x) && solid(x) > 0)
+        m_is_missed[j] = 1;
+    });
+  }
+
+  /// A sheet of data that nothing closes would be lost beside closed ones, because the level that Poisson
+  /// reconstruction extracts belongs to all points. It gets a back as far behind as its balls are thick.
+  Completed_points thin_backs(const Completed_points& completed) const
+  {
+    const double sp = m_seen.spacing;
+    const Sorted_grid data(m_seen.points, 4 * sp), others(completed.points, 4 * sp);
+    const Nearest_neighbors particles(m_input.points);
+    std::vector<Vec3> back(m_seen.points.size());
+    std::vector<char> is_open(m_seen.points.size(), 0);
+    parallel_for(m_execution, m_seen.points.size(), [&](std::size_t j) {
+      const Vec3 &x = m_seen.points[j], &n = m_seen.normals[j];
+      const double radius = m_balls.radius[particles.nearest(x).index];
+      if(!m_is_missed[j] && radius > thin_part)
+        return;
+      const double thickness = (std::max)(3 * sp, (std::min)(2 * radius, thickest_back));
+      back[j] = x - thickness * n;
+      bool is_closed = is_seen_through(back[j]);
+      const auto closes = [&](const Vec3& p, const Vec3& normal) {
+        is_closed = is_closed || ((x - p).dot(n) > 0.3 * (x - p).norm() && normal.dot(n) < -0.2);
+        return !is_closed;
+      };
+      data.for_each_neighbor(x, 1.5 * thickness + 2 * sp, [&](Index k, double) {
+        return closes(m_seen.points[k], m_seen.normals[k]);
+      });
+      others.for_each_neighbor(x, 1.5 * thickness + 2 * sp, [&](Index k, double) {
+        return closes(completed.points[k], completed.normals[k]);
+      });
+      data.for_each_neighbor(back[j], 1.5 * sp, [&](Index, double) { return !(is_closed = true); });
+      others.for_each_neighbor(back[j], sp, [&](Index, double) { return !(is_closed = true); });
+      is_open[j] = char(!is_closed);
+    });
+    Completed_points backs;
+    for(std::size_t j = 0; j < back.size(); ++j)
+      if(is_open[j]) {
+        backs.points.push_back(back[j]);
+        backs.normals.push_back(-m_seen.normals[j]);
+        backs.distance.push_back(data_distance(back[j]));
+      }
+    return backs.part(thinned(backs.points, sp));
+  }
+
   /// The correction may have moved points to where a ray has passed.
   bool is_seen_through(const Vec3& x) const
   {
@@ -274,12 +346,22 @@ private:
     completed.inner.resize(n);
     completed.is_clipped.resize(n);
     completed.is_unanchored.resize(n);
+    completed.uncertainty.resize(n);
+    std::unique_ptr<Nearest_neighbors> measured;
+    if(m_measured < m_seen.points.size())
+      measured = std::make_unique<Nearest_neighbors>(
+        Points(m_seen.points.begin(), m_seen.points.begin() + std::ptrdiff_t(m_measured)));
     parallel_for(m_execution, n, [&](std::size_t i) {
       const std::size_t ball = m_centre_tree->nearest(completed.points[i]).index;
       completed.inner[i] = m_balls.centres[ball];
       completed.is_clipped[i] = m_balls.is_clipped[ball];
       completed.is_unanchored[i] = char(m_sunk.anchoring[ball] == Anchoring::unanchored);
-      completed.distance[i] = data_distance(completed.points[i]);
+      const Neighbor known = m_data_tree.nearest(completed.points[i]);
+      completed.distance[i] = completed.uncertainty[i] = std::sqrt(known.squared_distance);
+      if(known.index >= m_measured)
+        completed.uncertainty[i] += image_uncertainty;
+      if(measured)
+        completed.distance[i] = std::sqrt(measured->nearest(completed.points[i]).squared_distance);
     });
   }
 
@@ -289,8 +371,10 @@ private:
   const Seen_part& m_seen;
   const Sunk_points& m_sunk;
   const Free_space& m_free_space;
+  std::size_t m_measured;
   Nearest_neighbors m_data_tree;
   Balls m_balls;
+  std::vector<char> m_is_missed;   ///< of the data
   std::unique_ptr<Nearest_neighbors> m_centre_tree;   ///< of the balls
 };
 
