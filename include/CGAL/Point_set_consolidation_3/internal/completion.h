@@ -300,6 +300,9 @@ private:
       if(!m_is_missed[j] && radius > thin_part)
         return;
       const double thickness = (std::max)(3 * sp, (std::min)(2 * radius, thickest_back));
+      const Gap_parameters& gaps = m_parameters.gaps;
+      if(thickness > gaps.largest || (!gaps.is_frozen.empty() && gaps.is_frozen[j]))
+        return;
       back[j] = x - thickness * n;
       bool is_closed = is_seen_through(back[j]);
       const auto closes = [&](const Vec3& p, const Vec3& normal) {

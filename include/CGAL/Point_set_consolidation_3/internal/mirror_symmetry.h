@@ -28,9 +28,10 @@ struct Mirror_plane {
   Vec3 reflected_vector(const Vec3& v) const { return v - 2 * normal.dot(v) * normal; }
 };
 
-/// What the scan says of a plane. Counts are of consolidated points that lie away from the plane.
+/// What the scan says of a plane, by numbers of consolidated points.
 struct Mirror_evidence {
-  std::size_t moved = 0;      ///< all of them
+  std::size_t all = 0;        ///< that were looked at
+  std::size_t moved = 0;      ///< those away from the plane; of them:
   std::size_t free = 0;       ///< their images lie where a ray has passed
   std::size_t matched = 0;    ///< their images lie on the data, with the same normal
   std::size_t facing = 0;     ///< those that match or face a scanner: on the data, or hidden by other parts
@@ -45,6 +46,7 @@ class Mirror_symmetry {
   static constexpr double offset_step = 1.5;
   static constexpr std::size_t coarse_samples = 160;
   static constexpr std::size_t fine_samples = 1000;
+  static constexpr std::size_t evidence_samples = 4000;
   static constexpr std::size_t candidates = 24;
   static constexpr int refinements = 14;
   static constexpr double coarse_tolerance = 4, fine_tolerance = 1;
@@ -92,7 +94,7 @@ public:
   bool is_mirror_plane(const Mirror_evidence& e) const
   {
     const double matched = double(e.matched), moved = double(e.moved);
-    return moved > least_moved * double(m_points.size()) && matched > least_matched * moved &&
+    return moved > least_moved * double(e.all) && matched > least_matched * moved &&
            matched > least_agreement * double(e.facing) && double(e.free) < most_free * matched;
   }
 
@@ -118,16 +120,18 @@ public:
 
   Mirror_evidence evidence(const Mirror_plane& plane) const
   {
-    Mirror_evidence e;
-    std::vector<Image> images(m_points.size());
-    parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
-      images[i] = image(plane, i, fine_tolerance);
+    const std::vector<Index> samples = sample(evidence_samples);
+    std::vector<Image> images(samples.size());
+    parallel_for(m_execution, samples.size(), [&](std::size_t k) {
+      images[k] = image(plane, samples[k], fine_tolerance);
     });
-    for(std::size_t i = 0; i < images.size(); ++i) {
-      e.moved += images[i] != Image::STILL;
-      e.free += images[i] == Image::FREE;
-      e.facing += images[i] == Image::MATCHED || images[i] == Image::FACING;
-      e.matched += images[i] == Image::MATCHED;
+    Mirror_evidence e;
+    e.all = samples.size();
+    for(const Image i : images) {
+      e.moved += i != Image::STILL;
+      e.free += i == Image::FREE;
+      e.facing += i == Image::MATCHED || i == Image::FACING;
+      e.matched += i == Image::MATCHED;
     }
     return e;
   }

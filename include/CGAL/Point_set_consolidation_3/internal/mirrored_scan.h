@@ -127,6 +127,7 @@ private:
     const std::size_t n = m_seen.points.size();
     const Nearest_neighbors particles(m_input.points);
     const Sorted_grid data(m_seen.points, data_clearance);
+    const Nearest_neighbors tree(m_seen.points);
     const double other = other_clearance * m_seen.spacing;
     std::vector<char> is_kept(n);
     parallel_for(m_execution, n, [&](std::size_t i) {
@@ -134,6 +135,8 @@ private:
       const Vec3 normal = m_plane.reflected_vector(m_seen.normals[i]);
       const Index particle = particles.nearest(m_seen.points[i]).index;
       if((particle < m_is_disobedient.size() && m_is_disobedient[particle]) || m_free_space(y) > 0)
+        return;
+      if(!m_gaps.is_frozen.empty() && m_gaps.is_frozen[tree.nearest(y).index])
         return;
       bool is_clear = true;
       data.for_each_neighbor(y, data_clearance, [&](Index j, double d2) {
