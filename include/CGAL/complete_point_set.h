@@ -71,8 +71,8 @@ namespace CGAL {
       \cgalParamDescription{whether a mirror plane of the shape, if the scan shows one, completes the other side:
         the data are reflected to where no data are near and no ray has passed, and so are the rays}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`true`; `false` if `prior` or `prior_map` ask for something else than `VOLUME_PRESERVING`, or
-        if `maximum_hole_size` is given}
+      \cgalParamDefault{symmetry is used, unless `prior` or `prior_map` ask for something else than
+        `VOLUME_PRESERVING`, or `maximum_hole_size` is given}
       \cgalParamExtra{Directions or positions of the scanner must be known. A plane is accepted if
         at least 80 percent of the reflected points that face the scanner lie on the data, and those that lie in free
         space are less than 12 percent of them. Where they do, the shape is taken for asymmetric.}
