@@ -58,7 +58,8 @@ class Mirror_symmetry {
   static constexpr double least_moved = 0.5;            ///< share of all
   static constexpr double least_matched = 0.08;         ///< share of the moved ones
   static constexpr double least_agreement = 0.8;        ///< share of those that must match or are hidden
-  static constexpr double most_free = 0.12;             ///< by those matched; wrong planes 0.14 and more
+  static constexpr double most_free = 0.05;             ///< by those matched; mirror planes 0.002, nearly symmetric
+                                                        ///< shapes 0.08 to 0.25, wrong planes 0.14 and more
   static constexpr double exact = 0.01;
 
 public:
