@@ -251,7 +251,9 @@ private:
       }
       m_result.new_counts.push_back(added.size());
       largest = (std::max)(largest, added.size());
-      if(added.empty() || i + 1 == m_parameters.iterations ||
+      // Holes take fewer points than there are; points of which most coincide would be spread out without end.
+      constexpr std::size_t most_growth = 50;
+      if(added.empty() || i + 1 == m_parameters.iterations || m_points.size() > most_growth * m_number_of_kept ||
          double(added.size()) < (std::max)(m_parameters.least_new_share > 0 ? double(least_new_points) : 1.,
                                            m_parameters.least_new_share * double(largest)))
         break;
