@@ -72,6 +72,8 @@ bool parse(Options& o, int argc, char** argv)
     .one_of({"volume-preserving", "minimal-volume", "flat"});
   line.option("--max-hole", "LENGTH", o.maximum_hole, "wider gaps stay open in the completed input, unit of "
                                                       "the input").above(0).default_is("no bound");
+  line.flag("--no-symmetry", o.no_symmetry, "do not complete by a mirror plane of the shape (nor with another prior, "
+                                            "nor with --max-hole)");
   line.option("--data-term", "NAME", o.data_term, "attraction to the data, or its part along the normal "
                                                   "(better for tubes)")
     .one_of({"full", "normal"});

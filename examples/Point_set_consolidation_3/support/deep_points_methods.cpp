@@ -108,6 +108,7 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
                     .completed_spacing(o.completed_spacing)
                     .maximum_hole_size(o.maximum_hole > 0 ? o.maximum_hole
                                                           : (std::numeric_limits<double>::max)())
+                    .use_symmetry(!o.no_symmetry && o.prior == "volume-preserving" && !(o.maximum_hole > 0))
                     .data_term(o.data_term == "normal" ? psc::Data_term::NORMAL
                                                        : psc::Data_term::FULL)
                     .prior(prior(o.prior))
