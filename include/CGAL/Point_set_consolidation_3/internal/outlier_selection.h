@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 
 #include <Eigen/Cholesky>
 
@@ -28,9 +29,12 @@ struct Outlier_parameters {
   /// than `near_distance` h and `near_factor` times the median residual, if they are sparser than the data
   /// around: points of sharp details are off these quadrics, but no sparser.
   bool removes_near = true;
-  double near_distance = 0.07;
-  double near_factor = 3;
-  double near_sparsity = 1.2;       ///< distance of the neighbours by the median of that around
+  double near_distance = 0.073;
+  double near_factor = 2.5;
+  double near_sparsity = 1.35;      ///< distance of the neighbours by the median of that around
+  /// Of points that are farther off than `clear_distance` h, which few details are.
+  double clear_sparsity = 1.2;
+  double clear_distance = 0.13;
   /// Flagged points closer than h are kept if they are a smaller share of the data: a clean scan has about
   /// 0.2 % of points in crevices and on tips that the particles do not resolve.
   double least_share = 0.005;
@@ -41,18 +45,18 @@ struct Outlier_parameters {
 /// than the data, gives plane and first weights only.
 class Robust_height {
   static constexpr std::size_t iterations = 6;
-  static constexpr std::size_t coefficients = 6;
-  typedef Eigen::Matrix<double, coefficients, 1> Vector6;
-  typedef Eigen::Matrix<double, coefficients, coefficients> Matrix6;
+  typedef Height_frame::Vector Vector;
+  typedef Height_frame::Matrix Matrix;
 
 public:
   /// Offsets are relative to the origin of the plane.
-  Robust_height(const Vec3& normal, std::size_t capacity) : m_normal(normal)
+  Robust_height(const Vec3& normal, std::size_t capacity)
   {
     Vec3::Index smallest;
     normal.cwiseAbs().minCoeff(&smallest);
-    m_u = normalized_or(normal.cross(Vec3(Vec3::Unit(smallest))), Vec3::UnitX());
-    m_v = normal.cross(m_u);
+    m_frame.normal = normal;
+    m_frame.u = normalized_or(normal.cross(Vec3(Vec3::Unit(smallest))), Vec3::UnitX());
+    m_frame.v = normal.cross(m_frame.u);
     m_offsets.reserve(capacity);
     m_first_distances.reserve(capacity);
   }
@@ -68,24 +72,24 @@ public:
   bool fit(double least_scale)
   {
     const std::size_t n = m_offsets.size();
-    if(n < 2 * coefficients)
+    if(n < 2 * Height_frame::coefficients)
       return false;
-    m_unit = 0;
+    m_frame.unit = 0;
     for(const Vec3& d : m_offsets)
-      m_unit = (std::max)(m_unit, std::hypot(m_u.dot(d), m_v.dot(d)));
-    if(!(m_unit > 0))
+      m_frame.unit = (std::max)(m_frame.unit, std::hypot(m_frame.u.dot(d), m_frame.v.dot(d)));
+    if(!(m_frame.unit > 0))
       return false;
-    std::vector<Vector6> rows(n);
+    std::vector<Vector> rows(n);
     std::vector<double> heights(n);
     for(std::size_t k = 0; k < n; ++k) {
-      rows[k] = row(m_offsets[k]);
-      heights[k] = m_normal.dot(m_offsets[k]);
+      rows[k] = m_frame.monomials(m_offsets[k]);
+      heights[k] = m_frame.height(m_offsets[k]);
     }
     m_residuals = m_first_distances;
     for(std::size_t t = 0; t < iterations; ++t) {
       const double scale = (std::max)(least_scale, 1.5 * median(m_residuals));
-      Matrix6 A = Matrix6::Zero();
-      Vector6 b = Vector6::Zero();
+      Matrix A = Matrix::Zero();
+      Vector b = Vector::Zero();
       for(std::size_t k = 0; k < n; ++k) {
         const double r = m_residuals[k] / scale, weight = 1 / ((1 + r * r) * (1 + r * r));
         A += weight * rows[k] * rows[k].transpose();
@@ -106,24 +110,16 @@ public:
   /// Distance from the quadric, to first order.
   double distance(const Vec3& offset) const
   {
-    const double slope = std::hypot(m_c[1], m_c[2]) / m_unit;
-    return std::abs(m_normal.dot(offset) - row(offset).dot(m_c)) / std::sqrt(1 + slope * slope);
+    const double slope = std::hypot(m_c[1], m_c[2]) / m_frame.unit;
+    return std::abs(m_frame.height(offset) - m_frame.monomials(offset).dot(m_c)) /
+           std::sqrt(1 + slope * slope);
   }
 
 private:
-  Vector6 row(const Vec3& d) const
-  {
-    const double x = m_u.dot(d) / m_unit, y = m_v.dot(d) / m_unit;
-    Vector6 r;
-    r << 1, x, y, x * x, x * y, y * y;
-    return r;
-  }
-
-  Vec3 m_normal, m_u, m_v;
+  Height_frame m_frame;
   std::vector<Vec3> m_offsets;
   std::vector<double> m_first_distances, m_residuals;
-  double m_unit = 1;
-  Vector6 m_c = Vector6::Zero();
+  Vector m_c = Vector::Zero();
 };
 
 /// Those of `is_far`, and data off the surface of the data that `is_left_out` does not flag. `feet` and `normals` are
@@ -134,7 +130,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
                                        const Outlier_parameters& parameters)
 {
   constexpr std::size_t fitted_neighbors = 24, sparsity_neighbors = 6;
-  constexpr double suspicious = 0.5;    // of the limit: the particles' surface misses details by as much
+  constexpr double suspicious = 0.3;    // of the limit: the particles' surface is farther from most outliers
   constexpr double least_scale = 0.25;  // of the limit: smaller residuals all have full weight
   const double limit = parameters.near_distance * parameters.support_radius;
   std::vector<std::size_t> kept;
@@ -161,7 +157,8 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
     for(const Neighbor& neighbor : neighbors_of(i, data[i], sparsity_neighbors))
       sparsity[i] += std::sqrt(neighbor.squared_distance);
   });
-  const auto is_off = [&](std::size_t i, const Vec3& place, double least_sparsity) {
+  // how dense the data is, the neighbours of the foot tell: those of the point may be outliers themselves
+  const auto is_off = [&](std::size_t i, const Vec3& place, bool tests_sparsity) {
     const std::vector<Neighbor> found = neighbors_of(i, place, fitted_neighbors);
     Robust_height quadric(normals[i], found.size());
     std::vector<double> sparsities;
@@ -169,14 +166,20 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
       quadric.add(points[neighbor.index] - feet[i], distance[kept[neighbor.index]]);
       sparsities.push_back(sparsity[kept[neighbor.index]]);
     }
-    if(sparsity[i] <= least_sparsity * median(std::move(sparsities)) || !quadric.fit(least_scale * limit))
+    const double relative_sparsity = sparsity[i] / median(std::move(sparsities));
+    if(tests_sparsity && relative_sparsity <= (std::min)(parameters.near_sparsity, parameters.clear_sparsity))
+      return false;
+    if(!quadric.fit(least_scale * limit))
       return false;
     const double off = quadric.distance(data[i] - feet[i]);
-    return off > limit && off > parameters.near_factor * quadric.median_residual();
+    const bool is_clear = off > parameters.clear_distance * parameters.support_radius;
+    return off > limit && off > parameters.near_factor * quadric.median_residual() &&
+           (!tests_sparsity ||
+            relative_sparsity > (is_clear ? parameters.clear_sparsity : parameters.near_sparsity));
   };
   parallel_for(execution, data.size(), [&](std::size_t i) {
     if(!is_outlier[i] && distance[i] > suspicious * limit)
-      is_outlier[i] = is_off(i, feet[i], parameters.near_sparsity) && is_off(i, data[i], 0);
+      is_outlier[i] = is_off(i, feet[i], true) && is_off(i, data[i], false);
   });
   return is_outlier;
 }
@@ -216,9 +219,10 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
   });
 
   if(parameters.removes_near) {
-    // the second time without those found the first time, which hide others and spoil the fits
+    // without those found before, which hide others and spoil the fits
+    constexpr int passes = 3;
     const std::vector<char> is_far = is_outlier;
-    for(int pass = 0; pass < 2; ++pass)
+    for(int pass = 0; pass < passes; ++pass)
       is_outlier = near_outliers(execution, data, feet, normals, distance, is_far, is_outlier, parameters);
   }
   const std::size_t flagged =

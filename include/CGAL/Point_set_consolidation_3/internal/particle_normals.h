@@ -12,6 +12,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
+#include <Eigen/Cholesky>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -52,8 +54,9 @@ inline void orient_by_sides(const Execution& execution, Points& normals, const P
   });
 }
 
-/// Normals of the particles from `first` on: the mean of those of the points around, on the side of the
-/// nearest of them.
+/// Normals of the particles from `first` on: those of the points around, on the side of the nearest of them, as a linear
+/// function of the place. At borders, where all points lie on one side, their mean would be that of a place within, and
+/// sheets would leave the border at that angle.
 inline void update_particle_normals(const Execution& execution, const Points& points,
                                     const Points& normals, double h, const Points& particles,
                                     std::size_t first, Points& particle_normals)
@@ -65,17 +68,30 @@ inline void update_particle_normals(const Execution& execution, const Points& po
   parallel_for(execution, particles.size() - first, [&](std::size_t k) {
     const std::size_t i = first + k;
     const Vec3 side = normals[tree.nearest(particles[i]).index];
-    Vec3 sum = Vec3::Zero();
+    // rows: the constant, then the offset's coordinates in units of the reach
+    Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
+    Eigen::Matrix<double, 4, 3> sums = Eigen::Matrix<double, 4, 3>::Zero();
     grid.for_each_neighbor_block(particles[i], kernel.reach, [&](const Neighbor_block& block) {
       Block_weights theta;
       kernel.theta(block, theta);
       for(int j = 0; j < block.size; ++j) {
         const Vec3& n = normals[block.index[j]];
-        if(n.dot(side) > 0)
-          sum += theta[j] * n;
+        if(!(n.dot(side) > 0))
+          continue;
+        Eigen::Vector4d row;
+        row << 1, (points[block.index[j]] - particles[i]) / kernel.reach;
+        moments += theta[j] * row * row.transpose();
+        sums += theta[j] * row * n.transpose();
       }
     });
-    particle_normals[i] = normalized_or(sum, side);
+    // points near a plane leave the slope across it open; along it their mean square offset is an order above this
+    constexpr double ridge = 1e-2;
+    moments.diagonal().tail<3>().array() += ridge * moments(0, 0);
+    const Vec3 mean = normalized_or(Vec3(sums.row(0)), side);
+    const Eigen::Matrix<double, 4, 3> linear = moments.ldlt().solve(sums);
+    const Vec3 normal = normalized_or(Vec3(linear.row(0)), mean);
+    constexpr double least_cosine = 0.9;  // farther from the mean it is noise
+    particle_normals[i] = normal.allFinite() && normal.dot(mean) > least_cosine ? normal : mean;
   });
 }
 

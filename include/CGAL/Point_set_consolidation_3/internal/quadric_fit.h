@@ -15,6 +15,25 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
+/// Coordinates of offsets over a plane, for heights as a quadric of the plane's coordinates (a jet of degree 2).
+struct Height_frame {
+  static constexpr std::size_t coefficients = 6;
+  typedef Eigen::Matrix<double, coefficients, 1> Vector;
+  typedef Eigen::Matrix<double, coefficients, coefficients> Matrix;
+
+  Vec3 normal = Vec3::UnitZ(), u = Vec3::UnitX(), v = Vec3::UnitY();
+  double unit = 1;                ///< of the plane's coordinates
+
+  double height(const Vec3& offset) const { return normal.dot(offset); }
+  Vector monomials(const Vec3& offset) const
+  {
+    const double x = u.dot(offset) / unit, y = v.dot(offset) / unit;
+    Vector row;
+    row << 1, x, y, x * x, x * y, y * y;
+    return row;
+  }
+};
+
 /// A quadratic height field over the plane of a neighbourhood (a jet of degree 2).
 struct Quadric_fit {
   Vec3 normal = Vec3::UnitZ();    ///< at the projection
@@ -34,27 +53,21 @@ inline Quadric_fit fit_quadric(const Points& points, const Vec3& query,
   for(const Neighbor& neighbor : neighbors)
     sum.add(points[neighbor.index] - query);
   const auto axes = sum.axes();
-  const Vec3 w = axes.eigenvectors().col(0), u = axes.eigenvectors().col(1),
-             v = axes.eigenvectors().col(2);
   const double scale = std::sqrt(neighbors.back().squared_distance);
-  fit.normal = w;
+  const Height_frame frame = {axes.eigenvectors().col(0), axes.eigenvectors().col(1),
+                              axes.eigenvectors().col(2), scale};
+  fit.normal = frame.normal;
   if(!(scale > tiny_length))
     return fit;
 
-  typedef Eigen::Matrix<double, 6, 1> Coefficients;
-  Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  typedef Height_frame::Vector Coefficients;
+  Height_frame::Matrix normal_matrix = Height_frame::Matrix::Zero();
   Coefficients right_side = Coefficients::Zero();
-  const auto monomials = [&](const Vec3& d) {
-    const double x = u.dot(d) / scale, y = v.dot(d) / scale;
-    Coefficients row;
-    row << 1, x, y, x * x, x * y, y * y;
-    return row;
-  };
   for(const Neighbor& neighbor : neighbors) {
     const Vec3 d = points[neighbor.index] - query;
-    const Coefficients row = monomials(d);
+    const Coefficients row = frame.monomials(d);
     normal_matrix += row * row.transpose();
-    right_side += w.dot(d) / scale * row;
+    right_side += frame.height(d) / scale * row;
   }
   constexpr std::size_t determined = 8;  // two more than coefficients
   Coefficients c = Coefficients::Zero();
@@ -65,17 +78,17 @@ inline Quadric_fit fit_quadric(const Points& points, const Vec3& query,
   }
   if(neighbors.size() < determined || !c.allFinite()) {
     c.setZero();
-    c[0] = w.dot(sum.mean()) / scale;
+    c[0] = frame.height(sum.mean()) / scale;
   }
   double squares = 0;
   for(const Neighbor& neighbor : neighbors) {
     const Vec3 d = points[neighbor.index] - query;
-    const double left = w.dot(d) / scale - monomials(d).dot(c);
+    const double left = frame.height(d) / scale - frame.monomials(d).dot(c);
     squares += left * left;
   }
   fit.residual = scale * std::sqrt(squares / double(neighbors.size()));
-  fit.projection = query + scale * c[0] * w;
-  fit.normal = (w - c[1] * u - c[2] * v).normalized();
+  fit.projection = query + scale * c[0] * frame.normal;
+  fit.normal = (frame.normal - c[1] * frame.u - c[2] * frame.v).normalized();
   return fit;
 }
 
