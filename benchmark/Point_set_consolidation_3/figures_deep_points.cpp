@@ -7,6 +7,7 @@
 #include "consolidation.h"
 #include "mesh_tree.h"
 #include "methods.h"
+#include "paper_classes.h"
 #include "paper_figure.h"
 #include "point_tree.h"
 #include "skeleton_runs.h"
@@ -566,20 +567,6 @@ Figure_result figure_17(const std::string&)
 
 Figure_result table_1(const std::string& data)
 {
-  struct Class {
-    const char* name;
-    std::size_t points, particles;
-    double wlop_seconds, deep_seconds;  ///< the paper's, on six cores
-  };
-  const std::vector<Class> classes = {
-    {"Fig. 1", 84772, 2143, 3.1, 26.3},          {"Fig. 5 & 8", 58710, 6870, 4.8, 41.2},
-    {"Fig. 9", 22148, 5234, 2.7, 30.5},          {"Fig. 10 T", 43545, 3996, 4.1, 83.9},
-    {"Fig. 10 B", 78630, 6727, 8.4, 87.3},       {"Fig. 12 T", 24292, 13812, 3.2, 112.9},
-    {"Fig. 12 B", 32614, 7252, 5.5, 61.5},       {"Fig. 13 T", 40509, 40509, 10.5, 259.6},
-    {"Fig. 13 B", 67131, 67131, 18.9, 408.8},    {"Fig. 14 T", 175312, 19721, 17.8, 197.3},
-    {"Fig. 14 B", 300283, 57791, 47.3, 449.9},   {"Fig. 15 T", 292910, 32142, 30.3, 355.3},
-    {"Fig. 15 B", 483583, 47083, 134.9, 723.7}};
-  const Triangle_mesh truth = figure_model(data, "armadillo");
   Figure_result figure;
   Figure_table table{"armadillo, three views, 0.1 % noise; wall seconds",
                      {"|C|", "|S|", "Tw", "Td", "paper Tw", "paper Td", "ms per deep point", "paper ms"}, {}};
@@ -588,8 +575,8 @@ Figure_result table_1(const std::string& data)
   plot.y_label = "milliseconds";
   plot.log_y = true;
   support::Series ours{"this package", {}, {}}, paper{"paper", {}, {}};
-  for(const Class& c : classes) {
-    const Point_cloud cloud = scan_of(truth, 3, c.points, 0.1).cloud;
+  for(const Paper_class& c : deep_points_classes()) {
+    const Point_cloud cloud = scan_of(figure_model(data, c.model), 3, c.points, 0.1).cloud;
     const Consolidation_result result = deep_points(cloud, (std::min)(c.particles, cloud.size()), [](Consolidation_options& o) {
         o.completed_spacing = 0;  // as many deep points as the paper has
       });
@@ -600,11 +587,11 @@ Figure_result table_1(const std::string& data)
     }
     const double n = double(result.consolidated.size());
     table.rows.push_back({c.name,
-                          {double(cloud.size()), n, wlop, deep, c.wlop_seconds, c.deep_seconds, 1000 * deep / n,
-                           1000 * c.deep_seconds / double(c.particles)}});
+                          {double(cloud.size()), n, wlop, deep, c.wlop_seconds, c.seconds, 1000 * deep / n,
+                           1000 * c.seconds / double(c.particles)}});
     plot.categories.push_back(c.name);
     ours.y.push_back(1000 * deep / n);
-    paper.y.push_back(1000 * c.deep_seconds / double(c.particles));
+    paper.y.push_back(1000 * c.seconds / double(c.particles));
   }
   plot.series = {ours, paper};
   figure.tables.push_back(table);
