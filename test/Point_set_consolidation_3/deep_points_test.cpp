@@ -5,6 +5,7 @@
 
 #undef NDEBUG
 
+#include "mirror_symmetry_cases.h"
 #include "scan_rays.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -717,6 +718,8 @@ int main()
   thin_plate();
   completion();
   unknown_scanner();
+  mirror_symmetry_cases::symmetric();
+  mirror_symmetry_cases::asymmetric();
   boxes();
   closures();
   missed_rays();

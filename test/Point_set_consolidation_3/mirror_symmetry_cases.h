@@ -1,9 +1,11 @@
 // Copyright (c) 2026  The Point_set_consolidation_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The mirror plane of a shape is found in a scan from one side, and none where there is none.
+#ifndef POINT_SET_CONSOLIDATION_3_TEST_MIRROR_SYMMETRY_CASES_H
+#define POINT_SET_CONSOLIDATION_3_TEST_MIRROR_SYMMETRY_CASES_H
 
-#undef NDEBUG
+// Part of deep_points_test: the mirror plane of a shape is found in a scan from one side, and none where
+// there is none.
 
 #include "scan_rays.h"
 
@@ -12,7 +14,7 @@
 #include <cassert>
 #include <iostream>
 
-namespace {
+namespace mirror_symmetry_cases {
 
 namespace params = CGAL::Point_set_consolidation_3::parameters;
 namespace psc = CGAL::Point_set_consolidation_3::internal;
@@ -22,7 +24,7 @@ using synthetic::Shape;
 const double offset = 0.3;   // the mirror plane is x = offset
 
 /// A body with head, two ears and four legs; `bend` displaces the legs and the ear of one side.
-Shape animal(const Vec3& bend)
+inline Shape animal(const Vec3& bend)
 {
   const auto at = [](double x, double y, double z) { return Vec3(offset + x, y, z); };
   const auto limbs = [&](double side, const Vec3& d) {
@@ -74,7 +76,7 @@ Completion_quality complete(const Shape& shape, const Scan& scan, const NP& np)
   return result;
 }
 
-bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
+inline bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
 {
   psc::Execution execution = psc::make_execution<CGAL::Parallel_if_available_tag>();
   psc::Scan_directions directions;
@@ -92,7 +94,7 @@ bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
   return is_found;
 }
 
-void symmetric()
+inline void symmetric()
 {
   std::cout << "symmetric animal" << std::endl;
   const Shape shape = animal(Vec3::Zero());
@@ -112,7 +114,7 @@ void symmetric()
   assert(complete(shape, scan, params::maximum_hole_size(100.)).points == without.points);
 }
 
-void asymmetric()
+inline void asymmetric()
 {
   std::cout << "asymmetric animal" << std::endl;
   const Shape shape = animal(Vec3(-0.5, 0.6, 0.3));
@@ -124,11 +126,6 @@ void asymmetric()
   }
 }
 
-}  // namespace
+}  // namespace mirror_symmetry_cases
 
-int main()
-{
-  symmetric();
-  asymmetric();
-  return 0;
-}
+#endif  // POINT_SET_CONSOLIDATION_3_TEST_MIRROR_SYMMETRY_CASES_H
