@@ -15,6 +15,7 @@
 #include <CGAL/mean_shift_remove_outliers.h>
 #include <CGAL/wlop_project_point_set.h>
 
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -70,6 +71,8 @@ struct Scan_maps {
   }
 };
 
+using Stage_times = std::vector<CGAL::Point_set_consolidation_3::Stage_time>;
+
 auto oriented()
 {
   return parameters::point_map(Point_map()).normal_map(Normal_map());
@@ -102,41 +105,50 @@ std::vector<Speed_operator> package_operators()
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_with_normal> points = pairs_of(input);
                  std::vector<Point_with_normal> result;
+                 Stage_times times;
                  watch.start();
                  CGAL::anisotropic_wlop_simplify_and_regularize_point_set<decltype(tag)>(
                      points, std::back_inserter(result),
                      oriented()
                          .number_of_output_points(particles(input))
-                         .neighbor_radius(particle_radius(input)));
+                         .neighbor_radius(particle_radius(input))
+                         .stage_times(std::ref(times)));
                  watch.stop();
+                 watch.record_stages(times);
                });
   add_operator(list, "deep points", "CGAL WLOP", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const Scan_maps scan(input);
                  std::vector<CGAL::Deep_point_3<Kernel>> result;
+                 Stage_times times;
                  watch.start();
                  CGAL::deep_points_consolidate_point_set<decltype(tag)>(
                      scan.indices, std::back_inserter(result),
-                     scan.named().number_of_output_points(particles(input)));
+                     scan.named().number_of_output_points(particles(input)).stage_times(std::ref(times)));
                  watch.stop();
+                 watch.record_stages(times);
                });
   add_operator(list, "completion", "CGAL WLOP", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const Scan_maps scan(input);
                  std::vector<CGAL::Deep_point_3<Kernel>> result;
+                 Stage_times times;
                  watch.start();
                  CGAL::complete_point_set<decltype(tag)>(scan.indices, std::back_inserter(result),
-                                                         scan.named());
+                                                         scan.named().stage_times(std::ref(times)));
                  watch.stop();
+                 watch.record_stages(times);
                });
   add_operator(list, "iterative consolidation", "CGAL WLOP", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const Scan_maps scan(input);
                  std::vector<Point_with_normal> result;
+                 Stage_times times;
                  watch.start();
                  CGAL::iterative_consolidate_point_set<decltype(tag)>(
-                     scan.indices, std::back_inserter(result), scan.named());
+                     scan.indices, std::back_inserter(result), scan.named().stage_times(std::ref(times)));
                  watch.stop();
+                 watch.record_stages(times);
                });
   add_operator(list, "mean shift outliers", "CGAL remove outliers", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
@@ -159,29 +171,84 @@ std::vector<Speed_operator> package_operators()
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_with_normal> points = pairs_of(input);
                  std::vector<Point_with_normal> result;
+                 Stage_times times;
                  watch.start();
                  CGAL::anisotropic_edge_aware_upsample_point_set<decltype(tag)>(
                      points, std::back_inserter(result),
-                     oriented().number_of_output_points(points.size() * 6 / 5));
+                     oriented().number_of_output_points(points.size() * 6 / 5)
+                         .stage_times(std::ref(times)));
                  watch.stop();
+                 watch.record_stages(times);
                });
   add_operator(list, "Laplacian skeleton", "CGAL WLOP", 100000,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_3> points = points_of(input);
                  CGAL::Curve_skeleton_3<Kernel> skeleton;
+                 Stage_times times;
                  watch.start();
-                 CGAL::extract_laplacian_contraction_skeleton<decltype(tag)>(points, skeleton);
+                 CGAL::extract_laplacian_contraction_skeleton<decltype(tag)>(
+                     points, skeleton, parameters::stage_times(std::ref(times)));
                  watch.stop();
+                 watch.record_stages(times);
                });
   add_operator(list, "L1-medial skeleton", "CGAL WLOP", 100000,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_3> points = points_of(input);
                  CGAL::Curve_skeleton_3<Kernel> skeleton;
+                 Stage_times times;
                  watch.start();
-                 CGAL::extract_l1_medial_skeleton<decltype(tag)>(points, skeleton);
+                 CGAL::extract_l1_medial_skeleton<decltype(tag)>(
+                     points, skeleton, parameters::stage_times(std::ref(times)));
                  watch.stop();
+                 watch.record_stages(times);
                });
   return list;
+}
+
+namespace {
+
+template <typename Tag>
+void run_class_as(Class_method method, const Paper_class& row, const Speed_input& input, Stopwatch& watch)
+{
+  const Scan_maps scan(input);
+  Stage_times times;
+  if(method == Class_method::deep_points) {
+    std::vector<CGAL::Deep_point_3<Kernel>> result;
+    watch.start();
+    CGAL::deep_points_consolidate_point_set<Tag>(
+        scan.indices, std::back_inserter(result),
+        scan.named()
+            .number_of_output_points((std::min)(row.particles, scan.indices.size()))
+            .stage_times(std::ref(times)));
+    watch.stop();
+  } else {
+    std::vector<Point_with_normal> result;
+    watch.start();
+    CGAL::iterative_consolidate_point_set<Tag>(
+        scan.indices, std::back_inserter(result),
+        scan.named()
+            .particle_fraction(static_cast<double>(row.particles) / static_cast<double>(row.points))
+            .number_of_iterations(row.steps)
+            .two_phases(row.two_phases)
+            .stage_times(std::ref(times)));
+    watch.stop();
+  }
+  watch.record_stages(times);
+}
+
+}  // namespace
+
+void run_class(Class_method method, const Paper_class& row, bool parallel, const Speed_input& input, Stopwatch& watch)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(parallel) {
+    run_class_as<CGAL::Parallel_tag>(method, row, input, watch);
+    return;
+  }
+#else
+  (void)parallel;
+#endif
+  run_class_as<CGAL::Sequential_tag>(method, row, input, watch);
 }
 
 }  // namespace benchmark

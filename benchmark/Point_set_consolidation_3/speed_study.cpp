@@ -12,6 +12,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -27,11 +28,15 @@ namespace {
 const char* const usage =
     R"(speed_study [options]
 Runs operators of CGAL and of the package on virtual scans (three views, 0.1 % noise) and writes speed.csv and
-speed.md into --out. Each operator runs in a process of its own, one at a time.
+speed.md into --out, stages.csv with the stages of the package's operators. Each operator runs in a process of its own,
+one at a time.
   --data DIR         CGAL's data (environment variable CGAL_DATA_DIR)
   --model NAME       (armadillo)
   --sizes LIST       numbers of points (20000,100000)
   --operators LIST   words that occur in their names (all)
+  --classes LIST     instead: the rows of the papers' tables of times whose names contain a word, deep (table 1 of
+                     the deep points) or iterative (table I of the iterative consolidation) for all of one; writes
+                     classes.md
   --sequential       no parallel versions
   --repeat N         takes the fastest of N runs (1)
   --timeout N        seconds for one operator (300)
@@ -43,6 +48,7 @@ struct Measurement {
   double cpu_seconds = 0.0;
   double wall_seconds = 0.0;
   double megabytes = 0.0;  ///< peak above the input
+  std::vector<Stage_record> stages;
 };
 
 Speed_input make_input(const std::string& data, const std::string& model, std::size_t size)
@@ -79,7 +85,7 @@ public:
       throw std::runtime_error("no shared memory");
     m_watch = new (memory) Stopwatch;
   }
-  ~Shared_stopwatch() { munmap(m_watch, sizeof(Stopwatch)); }
+  ~Shared_stopwatch() { munmap(m_watch, sizeof(Stopwatch)); }  // what the child allocated is not ours
   Shared_stopwatch(const Shared_stopwatch&) = delete;
   Shared_stopwatch& operator=(const Shared_stopwatch&) = delete;
   Stopwatch& operator*() { return *m_watch; }
@@ -89,15 +95,14 @@ private:
   Stopwatch* m_watch;
 };
 
-Measurement measure(const Speed_operator& op, const Speed_input& input, std::size_t repeat,
-                    unsigned int timeout)
+Measurement measure(const std::function<void(Stopwatch&)>& run, std::size_t repeat, unsigned int timeout)
 {
   // a child starts with the pages of its parent, the input among them
   const double base = measure_in_child([] {}, timeout).peak_megabytes;
   Measurement best;
   for(std::size_t i = 0; i < repeat; ++i) {
     Shared_stopwatch watch;
-    const Resources resources = measure_in_child([&] { op.run(input, *watch); }, timeout);
+    const Resources resources = measure_in_child([&] { run(*watch); }, timeout);
     if(!resources.error.empty()) {
       best.error = resources.error;
       return best;
@@ -106,6 +111,7 @@ Measurement measure(const Speed_operator& op, const Speed_input& input, std::siz
       best.cpu_seconds = watch->cpu_seconds;
       best.wall_seconds = watch->wall_seconds;
       best.megabytes = std::max(0.0, resources.peak_megabytes - base);
+      best.stages.assign(watch->stages.begin(), watch->stages.begin() + std::ptrdiff_t(watch->number_of_stages));
     }
   }
   return best;
@@ -126,28 +132,70 @@ std::string key_of(const std::string& name, bool parallel)
   return name + (parallel ? " (parallel)" : "");
 }
 
-/// e in time ~ n^e, from the smallest to the largest size that was run.
-std::string growth(const std::map<std::size_t, Measurement>& row)
+/// e in seconds ~ n^e, from the smallest to the largest size that was measured.
+std::string growth(const std::map<std::size_t, double>& seconds)
 {
-  const Measurement* first = nullptr;
-  const Measurement* last = nullptr;
-  std::size_t first_size = 0;
-  std::size_t last_size = 0;
-  for(const auto& [size, result] : row) {
-    if(!result.error.empty() || result.cpu_seconds <= 0.0)
-      continue;
-    if(first == nullptr) {
-      first = &result;
-      first_size = size;
-    }
-    last = &result;
-    last_size = size;
-  }
-  if(last_size == first_size)
+  if(seconds.size() < 2)
     return "-";
-  return fixed(std::log(last->cpu_seconds / first->cpu_seconds)
+  const auto& [first_size, first] = *seconds.begin();
+  const auto& [last_size, last] = *seconds.rbegin();
+  return fixed(std::log(last / first)
                    / std::log(static_cast<double>(last_size) / static_cast<double>(first_size)),
                2);
+}
+
+std::string growth(const std::map<std::size_t, Measurement>& row)
+{
+  std::map<std::size_t, double> seconds;
+  for(const auto& [size, result] : row)
+    if(result.error.empty() && result.cpu_seconds > 0.0)
+      seconds[size] = result.cpu_seconds;
+  return growth(seconds);
+}
+
+/// Wall seconds and peak memory of each stage.
+std::string stage_report(const std::vector<Speed_operator>& operators, const std::vector<std::size_t>& sizes,
+                         const Table& table)
+{
+  std::ostringstream out;
+  out << "\nStages: wall seconds / peak memory above the input in MB. Growth: e in wall time ~ n^e.\n\n"
+      << "| operator | stage |";
+  for(std::size_t size : sizes)
+    out << " " << size << " |";
+  out << " growth |\n|---|---|";
+  for(std::size_t i = 0; i < sizes.size(); ++i)
+    out << "---|";
+  out << "---|\n";
+  for(const Speed_operator& op : operators) {
+    const auto row = table.find(key_of(op.name, op.parallel));
+    if(row == table.end())
+      continue;
+    std::vector<std::string> names;
+    for(const auto& cell : row->second)
+      for(const Stage_record& stage : cell.second.stages)
+        if(std::find(names.begin(), names.end(), stage.name.data()) == names.end())
+          names.emplace_back(stage.name.data());
+    for(const std::string& name : names) {
+      out << "| " << row->first << " | " << name << " |";
+      std::map<std::size_t, double> seconds;
+      for(std::size_t size : sizes) {
+        const auto cell = row->second.find(size);
+        const Stage_record* found = nullptr;
+        if(cell != row->second.end())
+          for(const Stage_record& stage : cell->second.stages)
+            found = name == stage.name.data() ? &stage : found;
+        if(found == nullptr) {
+          out << " - |";
+          continue;
+        }
+        if(found->seconds > 0.0)
+          seconds[size] = found->seconds;
+        out << " " << fixed(found->seconds, 3) << " / " << fixed(found->megabytes, 0) << " |";
+      }
+      out << " " << growth(seconds) << " |\n";
+    }
+  }
+  return out.str();
 }
 
 std::string report(const std::vector<Speed_operator>& operators,
@@ -197,6 +245,46 @@ std::string report(const std::vector<Speed_operator>& operators,
   return out.str();
 }
 
+/// Rows of the papers' tables of times, on models of as many points.
+void run_classes(const Arguments& arguments, const std::string& data, const std::filesystem::path& folder,
+                 std::size_t repeat, unsigned int timeout)
+{
+  struct Method {
+    const char* name;
+    Class_method method;
+    const std::vector<Paper_class>* classes;
+  };
+  const std::vector<std::string> words = arguments.list("--classes");
+  std::ostringstream out;
+  out << "| table | row | model | points | particles | s, one thread | MB | s, all threads | paper s |\n"
+         "|---|---|---|---|---|---|---|---|---|\n";
+  for(const Method& method : {Method{"deep", Class_method::deep_points, &deep_points_classes()},
+                              Method{"iterative", Class_method::iterative, &iterative_classes()}})
+    for(const Paper_class& row : *method.classes) {
+      const bool is_chosen = std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+        return word == method.name || std::string(row.name).find(word) != std::string::npos;
+      });
+      if(!is_chosen)
+        continue;
+      const Speed_input input = make_input(data, row.model, row.points);
+      const auto measured = [&](bool parallel) {
+        return measure([&](Stopwatch& watch) { run_class(method.method, row, parallel, input, watch); }, repeat,
+                       timeout);
+      };
+      const Measurement one = measured(false);
+      const Measurement all = arguments.has("--sequential") ? Measurement{"-", 0, 0, 0, {}} : measured(true);
+      const auto seconds = [](const Measurement& m) {
+        return m.error.empty() ? fixed(m.wall_seconds, 2) : m.error;
+      };
+      out << "| " << method.name << " | " << row.name << " | " << row.model << " | " << input.points.size() << " | "
+          << row.particles << " | " << seconds(one) << " | " << fixed(one.megabytes, 0) << " | " << seconds(all)
+          << " | " << fixed(row.wlop_seconds + row.seconds, 1) << " |\n";
+      std::cerr << row.name << ": " << seconds(one) << " s, " << seconds(all) << " s\n";
+    }
+  std::ofstream(folder / "classes.md") << "# Classes of the papers' tables\n\n" << out.str();
+  std::cout << out.str();
+}
+
 void run(const Arguments& arguments)
 {
   if(!arguments.files().empty())
@@ -212,6 +300,11 @@ void run(const Arguments& arguments)
     }
     sizes.push_back(std::stoul(word));
   }
+  std::filesystem::create_directories(folder);
+  if(arguments.has("--classes")) {
+    run_classes(arguments, data, folder, repeat, timeout);
+    return;
+  }
   const std::vector<std::string> words = arguments.list("--operators");
   std::vector<Speed_operator> operators;
   for(const auto& list : {cgal_operators(), package_operators()}) {
@@ -225,8 +318,8 @@ void run(const Arguments& arguments)
     }
   }
 
-  std::filesystem::create_directories(folder);
-  std::ofstream csv(folder / "speed.csv");
+  std::ofstream csv(folder / "speed.csv"), stages(folder / "stages.csv");
+  stages << "operator,points,stage,wall_seconds,megabytes\n";
   csv << "operator,points,cpu_seconds,wall_seconds,megabytes,error\n";
   Table table;
   for(std::size_t size : sizes) {
@@ -234,18 +327,21 @@ void run(const Arguments& arguments)
     for(const Speed_operator& op : operators) {
       if(size > op.largest)
         continue;
-      const Measurement result = measure(op, input, repeat, timeout);
+      const Measurement result = measure([&](Stopwatch& watch) { op.run(input, watch); }, repeat, timeout);
       const std::string name = key_of(op.name, op.parallel);
       table[name][size] = result;
       csv << name << "," << input.points.size() << "," << result.cpu_seconds << ","
           << result.wall_seconds << "," << result.megabytes << "," << result.error << "\n"
           << std::flush;
+      for(const Stage_record& stage : result.stages)
+        stages << name << "," << input.points.size() << "," << stage.name.data() << "," << stage.seconds << ","
+               << stage.megabytes << "\n";
       std::cerr << size << " " << name << ": "
                 << (result.error.empty() ? fixed(result.cpu_seconds, 3) + " s" : result.error)
                 << "\n";
     }
   }
-  const std::string text = report(operators, sizes, table);
+  const std::string text = report(operators, sizes, table) + stage_report(operators, sizes, table);
   std::ofstream(folder / "speed.md") << "# Speed study\n\n" << text;
   std::cout << text;
 }
@@ -255,6 +351,6 @@ void run(const Arguments& arguments)
 int main(int argc, char** argv)
 {
   return benchmark::run_program("speed_study", usage, argc, argv,
-                                {"--data", "--model", "--sizes", "--operators", "--repeat", "--timeout", "--out"},
+                                {"--data", "--model", "--sizes", "--operators", "--classes", "--repeat", "--timeout", "--out"},
                                 {"--sequential"}, run);
 }
