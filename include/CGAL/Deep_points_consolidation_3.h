@@ -336,11 +336,11 @@ private:
                             Point_set_consolidation_3::internal::Completion_parameters parameters)
   {
     using namespace Point_set_consolidation_3::internal;
-    if(!m_use_symmetry || free_space.empty() || m_input.directions.is_estimated)
+    if(!m_use_symmetry || free_space.empty())
       return false;
     const Mirror_symmetry symmetry(m_execution, m_input.points, m_input.normals, free_space);
     Mirror_plane plane;
-    if(!symmetry.find(plane))
+    if(!symmetry.find(plane, m_input.directions.is_estimated))
       return false;
     const Mirrored_scan scan(m_execution, m_input, m_seen, m_gaps, free_space, symmetry, plane);
     if(!scan.is_larger_than(m_seen))

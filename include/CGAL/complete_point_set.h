@@ -73,9 +73,9 @@ namespace CGAL {
       \cgalParamType{Boolean}
       \cgalParamDefault{symmetry is used, unless `prior` or `prior_map` ask for something else than
         `VOLUME_PRESERVING`, or `maximum_hole_size` is given}
-      \cgalParamExtra{Directions or positions of the scanner must be known. A plane is accepted if
+      \cgalParamExtra{Directions or positions of the scanner must be known, or found because the scan is from one side. A plane is accepted if
         at least 80 percent of the reflected points that face the scanner lie on the data, and those that lie in free
-        space are less than 5 percent of them. Where they do, the shape is taken for asymmetric.}
+        space are less than 5 percent of them (2 percent if the direction was found). Where they do, the shape is taken for asymmetric.}
     \cgalParamNEnd
     \cgalParamNBegin{denoised_point_map}
       \cgalParamDescription{receives the positions of the caller's points as they should be meshed: unchanged

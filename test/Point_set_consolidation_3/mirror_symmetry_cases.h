@@ -88,7 +88,7 @@ inline bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
     execution, 1, scan.points, {}, directions, parameters);
   const psc::Free_space free_space(execution, input.data, input.directions, 0.5);
   const psc::Mirror_symmetry symmetry(execution, input.points, input.normals, free_space);
-  const bool is_found = symmetry.find(plane);
+  const bool is_found = symmetry.find(plane, false);
   unit = input.frame.unit;
   plane.offset = plane.normal.dot(input.frame.to_world(plane.offset * plane.normal));
   return is_found;

@@ -196,7 +196,7 @@ inline void remove_isolated(const Execution& execution, Points& points)
 /// A scan that can have been taken from one side is taken for one from there, with parallel rays.
 inline void assume_single_view(const Execution& execution, Consolidated_input& input)
 {
-  const std::optional<Vec3> axis = View_estimation(execution, input.points, input.normals).run();
+  const std::optional<Vec3> axis = View_estimation(execution, input.points, input.normals).run(!input.hints.empty());
   if(!axis)
     return;
   input.directions.towards_scanner.assign(input.data.size(), *axis);

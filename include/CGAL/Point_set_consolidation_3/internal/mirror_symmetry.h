@@ -60,6 +60,7 @@ class Mirror_symmetry {
   static constexpr double least_agreement = 0.8;        ///< share of those that must match or are hidden
   static constexpr double most_free = 0.05;             ///< by those matched; mirror planes 0.002, nearly symmetric
                                                         ///< shapes 0.08 to 0.25, wrong planes 0.14 and more
+  static constexpr double least_free = 0.02;            ///< the same if the direction is estimated
   static constexpr double exact = 0.01;
 
 public:
@@ -72,14 +73,15 @@ public:
   }
 
   /// The mirror plane of the shape. False if there is none for certain; of several, as a vase has, that
-  /// which tells most of the hidden side.
-  bool find(Mirror_plane& plane) const
+  /// which tells most of the hidden side. `is_estimated`: the free space is only roughly known.
+  bool find(Mirror_plane& plane, bool is_estimated) const
   {
+    const double limit = is_estimated ? least_free : most_free;
     double best = 1;
     std::size_t most_hidden = 0;
     for(const Mirror_plane& candidate : planes()) {
       const Mirror_evidence e = evidence(candidate);
-      if(!is_mirror_plane(e))
+      if(!is_mirror_plane(e, limit))
         continue;
       const double disobedience = (std::max)(exact, double(e.free) / double(e.matched));
       const std::size_t hidden = e.moved - e.facing - e.free;
@@ -92,11 +94,11 @@ public:
     return best < 1;
   }
 
-  bool is_mirror_plane(const Mirror_evidence& e) const
+  bool is_mirror_plane(const Mirror_evidence& e, double limit) const
   {
     const double matched = double(e.matched), moved = double(e.moved);
     return moved > least_moved * double(e.all) && matched > least_matched * moved &&
-           matched > least_agreement * double(e.facing) && double(e.free) < most_free * matched;
+           matched > least_agreement * double(e.facing) && double(e.free) < limit * matched;
   }
 
   /// Planes that might be right, best first.

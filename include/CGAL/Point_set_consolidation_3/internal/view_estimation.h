@@ -18,44 +18,97 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Whether oriented points can have been seen from one side, and from which: all normals face it and no
+/// Whether points with normals can have been seen from one side, and from which: all normals face it and no
 /// point hides another. A scan from one position without its directions is recognised by that; to know
 /// where its rays have passed keeps completion from swelling. Lengths in units of the spacing of the points.
 class View_estimation {
   static constexpr double outlying = 0.03;        ///< share of points that need not fit
   static constexpr double hidden_share = 0.1;
+  static constexpr double unoriented_share = 0.05;  ///< the same if no normal can be relied upon
+  static constexpr double reliable_share = 0.7;   ///< of normals that face the axis then
   static constexpr double first_turn = 0.04, last_turn = 0.009;  ///< radians
-  static constexpr double stiffness = 1;   ///< six degrees must spare one percent of the points
+  static constexpr double stiffness = 1;          ///< six degrees must spare one percent of the points
   static constexpr double grazing = 0.4;          ///< cosine: steeper parts rise without hiding
   static constexpr double least_rise = 3;         ///< between a point and one that it hides
   static constexpr int steps = 200;
+  static constexpr std::size_t coarse_directions = 300;
 
 public:
   View_estimation(const Execution& execution, const Points& points, const Points& normals)
     : m_execution(execution), m_points(points), m_normals(normals)
   {}
 
-  /// Direction towards the scanner; none if there is no such direction.
-  std::optional<Vec3> run() const
+  /// Direction towards the scanner; none if there is no such direction. If `is_oriented` is false some
+  /// normals may point to the wrong side.
+  std::optional<Vec3> run(bool is_oriented = true)
   {
-    Vec3 axis = Vec3::Zero();
-    for(const Vec3& n : m_normals)
-      axis += n;
-    if(!(axis.norm() > tiny_length))
+    Vec3 axis;
+    if(fits(axis) && refine(axis) <= hidden_share)
+      return axis;
+    if(is_oriented)
       return std::nullopt;
-    axis.normalize();
-    // The centre of the smallest cap that holds the normals, by steps towards the farthest (Badoiu, Clarkson).
-    for(int k = 1; k <= steps; ++k)
-      axis = (axis + (farthest(axis) - axis) / double(k + 1)).normalized();
-    if(farthest(axis).dot(axis) <= 0)
+    // Both sides of a body hide each other from any side, however they are oriented.
+    if(!least_hiding(axis))
       return std::nullopt;
-    const double share = refine(axis);
-    if(share > hidden_share)
-      return std::nullopt;
-    return axis;
+    for(Vec3& n : m_normals)
+      if(n.dot(axis) < 0)
+        n = -n;
+    if(fits(axis) && refine(axis) <= unoriented_share)
+      return axis;
+    return std::nullopt;
   }
 
 private:
+  /// The centre of the smallest cap that holds the normals, by steps towards the farthest (Badoiu, Clarkson);
+  /// whether it is less than a hemisphere.
+  bool fits(Vec3& axis) const
+  {
+    axis.setZero();
+    for(const Vec3& n : m_normals)
+      axis += n;
+    axis = normalized_or(axis, Vec3::UnitZ());
+    for(int k = 1; k <= steps; ++k)
+      axis = normalized_or(axis + (farthest(axis) - axis) / double(k + 1), axis);
+    return farthest(axis).dot(axis) > 0;
+  }
+
+  /// Of evenly spread axes from which hardly any point hides another, that which most normals face; false
+  /// if there is none.
+  bool least_hiding(Vec3& axis) const
+  {
+    constexpr double golden_angle = 2.399963229728653;
+    constexpr double alike = 0.02;   // shares
+    Points directions;
+    std::vector<double> shares;
+    for(std::size_t k = 0; k < coarse_directions; ++k) {
+      const double z = (double(k) + 0.5) / double(coarse_directions);
+      const double radius = std::sqrt(1 - z * z), angle = golden_angle * double(k);
+      directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+      shares.push_back(share_of_hidden(directions.back(), false));
+    }
+    const double least = *std::min_element(shares.begin(), shares.end());
+    if(least > unoriented_share)
+      return false;
+    double best = 0;
+    for(std::size_t k = 0; k < coarse_directions; ++k)
+      if(shares[k] <= least + alike)
+        for(const double sign : {1., -1.}) {
+          const double facing = share_of_facing(sign * directions[k]);
+          if(facing > best) {
+            best = facing;
+            axis = sign * directions[k];
+          }
+        }
+    return best > reliable_share;
+  }
+
+  double share_of_facing(const Vec3& axis) const
+  {
+    return double(std::count_if(m_normals.begin(), m_normals.end(),
+                                [&](const Vec3& n) { return n.dot(axis) > 0; })) /
+           double(m_normals.size());
+  }
+
   /// Normal at the greatest angle, but for the outlying ones.
   Vec3 farthest(const Vec3& axis) const
   {
@@ -72,7 +125,7 @@ private:
   {
     const Vec3 centre = axis;
     const auto cost = [&](const Vec3& d) {
-      return share_of_hidden(d) + stiffness * (d - centre).squaredNorm();
+      return share_of_hidden(d, true) + stiffness * (d - centre).squaredNorm();
     };
     double least = cost(axis);
     for(double angle = first_turn; angle >= last_turn; angle /= 2)
@@ -90,12 +143,17 @@ private:
           }
         }
       }
-    return share_of_hidden(axis);
+    return share_of_hidden(axis, true);
   }
 
-  /// Points that face the scanner with another such point before or behind them.
-  double share_of_hidden(const Vec3& axis) const
+  /// Points that face the scanner with another such point before or behind them; `is_oriented`: normals on the
+  /// other side do not.
+  double share_of_hidden(const Vec3& axis, bool is_oriented) const
   {
+    const auto faces = [&](std::size_t i) {
+      const double cosine = m_normals[i].dot(axis);
+      return (is_oriented ? cosine : std::abs(cosine)) > grazing;
+    };
     const Projection projection = Projection::orthographic(axis);
     Points image(m_points.size());
     std::vector<double> height(m_points.size());
@@ -107,10 +165,9 @@ private:
     const Sorted_grid grid(image, 1);
     std::vector<char> is_hidden(image.size(), 0);
     parallel_for(m_execution, image.size(), [&](std::size_t i) {
-      if(m_normals[i].dot(axis) > grazing)
+      if(faces(i))
         grid.for_each_neighbor(image[i], 1, [&](Index j, double) {
-          is_hidden[i] = m_normals[j].dot(axis) > grazing &&
-                         std::abs(height[j] - height[i]) > least_rise;
+          is_hidden[i] = faces(j) && std::abs(height[j] - height[i]) > least_rise;
           return !is_hidden[i];
         });
     });
@@ -119,7 +176,7 @@ private:
 
   const Execution& m_execution;
   const Points& m_points;
-  const Points& m_normals;
+  Points m_normals;
 };
 
 }  // namespace internal
