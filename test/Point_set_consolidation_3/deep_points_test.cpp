@@ -254,13 +254,12 @@ void unknown_scanner()
     assert(found.has_value() == (views == 1));
     assert(!found || found->dot(view) > std::cos(CGAL_PI / 18));
 
-    // a part turned the wrong way does not matter
+    // a part turned the wrong way hides it from the strict test only
     for(std::size_t i = 0; i < points.size(); ++i)
-      if(scan.points[i].z() > 0.15)
+      if(scan.points[i].z() > 0.3)
         normals[i] = -normals[i];
-    found = View_estimation(execution, points, normals).run(false);
-    assert(found.has_value() == (views == 1));
-    assert(!found || found->dot(view) > std::cos(CGAL_PI / 18));
+    assert(!View_estimation(execution, points, normals).run().has_value());
+    assert(View_estimation(execution, points, normals).run(false).has_value() == (views == 1));
   }
 
   const Scan scan = synthetic::scan(torus, {view}, 12000, 1);
