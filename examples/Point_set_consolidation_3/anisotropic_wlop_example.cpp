@@ -1,8 +1,8 @@
+#include <CGAL/anisotropic_wlop_simplify_and_regularize_point_set.h>
 #include <CGAL/IO/read_points.h>
 #include <CGAL/IO/write_ply_points.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/anisotropic_edge_aware_upsample_point_set.h>
-#include <CGAL/anisotropic_wlop_simplify_and_regularize_point_set.h>
 #include <CGAL/property_map.h>
 
 #include <iostream>

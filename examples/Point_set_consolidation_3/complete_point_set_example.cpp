@@ -1,7 +1,7 @@
+#include <CGAL/complete_point_set.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/read_points.h>
 #include <CGAL/IO/write_points.h>
-#include <CGAL/complete_point_set.h>
 #include <CGAL/property_map.h>
 
 #include <iostream>

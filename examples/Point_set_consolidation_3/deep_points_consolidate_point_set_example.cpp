@@ -1,9 +1,9 @@
+#include <CGAL/deep_points_consolidate_point_set.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/IO/read_points.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_average_spacing.h>
-#include <CGAL/deep_points_consolidate_point_set.h>
 #include <CGAL/poisson_surface_reconstruction.h>
 
 #include <fstream>

@@ -1,9 +1,9 @@
+#include <CGAL/skeleton_driven_surface_reconstruction.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/extract_laplacian_contraction_skeleton.h>
-#include <CGAL/skeleton_driven_surface_reconstruction.h>
 
 #include <cmath>
 #include <cstdlib>
