@@ -153,6 +153,19 @@ std::string growth(const std::map<std::size_t, Measurement>& row)
   return growth(seconds);
 }
 
+/// The end of a table's head: a column for each size, and the growth.
+std::string size_columns(const std::vector<std::size_t>& sizes)
+{
+  std::ostringstream out;
+  for(std::size_t size : sizes)
+    out << " " << size << " |";
+  out << " growth |\n|---|---|";
+  for(std::size_t i = 0; i < sizes.size(); ++i)
+    out << "---|";
+  out << "---|\n";
+  return out.str();
+}
+
 /// Wall seconds and peak memory of each stage.
 std::string stage_report(const std::vector<Speed_operator>& operators, const std::vector<std::size_t>& sizes,
                          const Table& table)
@@ -160,12 +173,7 @@ std::string stage_report(const std::vector<Speed_operator>& operators, const std
   std::ostringstream out;
   out << "\nStages: wall seconds / peak memory above the input in MB. Growth: e in wall time ~ n^e.\n\n"
       << "| operator | stage |";
-  for(std::size_t size : sizes)
-    out << " " << size << " |";
-  out << " growth |\n|---|---|";
-  for(std::size_t i = 0; i < sizes.size(); ++i)
-    out << "---|";
-  out << "---|\n";
+  out << size_columns(sizes);
   for(const Speed_operator& op : operators) {
     const auto row = table.find(key_of(op.name, op.parallel));
     if(row == table.end())
@@ -207,12 +215,7 @@ std::string report(const std::vector<Speed_operator>& operators,
          "those of the operator of CGAL\nthat it is compared with (less is faster). Growth: e in "
          "CPU time ~ n^e.\n\n";
   out << "| operator | compared with |";
-  for(std::size_t size : sizes)
-    out << " " << size << " |";
-  out << " growth |\n|---|---|";
-  for(std::size_t i = 0; i < sizes.size(); ++i)
-    out << "---|";
-  out << "---|\n";
+  out << size_columns(sizes);
   for(const Speed_operator& op : operators) {
     const auto row = table.find(key_of(op.name, op.parallel));
     if(row == table.end())

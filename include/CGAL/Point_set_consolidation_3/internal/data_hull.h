@@ -8,7 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_DATA_HULL_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_DATA_HULL_H
 
-#include <CGAL/Point_set_consolidation_3/internal/points.h>
+#include <CGAL/Point_set_consolidation_3/internal/sphere_directions.h>
 
 #include <array>
 
@@ -24,11 +24,8 @@ class Data_hull {
 public:
   explicit Data_hull(const Points& points)
   {
-    constexpr double golden_angle = 2.399963229728653;
     for(std::size_t k = 0; k < number_of_directions; ++k) {
-      const double z = 1 - (2 * double(k) + 1) / double(number_of_directions);
-      const double radius = std::sqrt(1 - z * z), angle = golden_angle * double(k);
-      m_direction[k] = Vec3(radius * std::cos(angle), radius * std::sin(angle), z);
+      m_direction[k] = sphere_direction(k, number_of_directions);
       m_extent[k] = points.empty() ? 0 : points.front().dot(m_direction[k]);
       for(const Vec3& p : points)
         m_extent[k] = (std::max)(m_extent[k], p.dot(m_direction[k]));

@@ -48,8 +48,10 @@ public:
   /// known, so that nothing else bounds how far a gap's closure swells.
   Completed_points run(const Completed_points& completed, bool is_all_open, bool is_blind)
   {
-    if(is_blind)
+    if(is_blind) {
       m_hull = std::make_unique<Data_hull>(m_particles);
+      m_diagonal = bounding_box(m_particles).diagonal();
+    }
     m_wide = m_narrow = Completed_points();
     m_narrow_error = 0;
     Completed_points allowed = completed;
@@ -93,8 +95,7 @@ private:
   {
     if(!m_hull)
       return false;
-    const double most = (std::max)(least_swelling * bounding_box(m_particles).diagonal(),
-                                   swelling_share * half_width);
+    const double most = (std::max)(least_swelling * m_diagonal, swelling_share * half_width);
     return std::any_of(gap.points.begin(), gap.points.end(),
                        [&](const Vec3& x) { return m_hull->distance(x) > most; });
   }
@@ -172,6 +173,7 @@ private:
   Nearest_neighbors m_centre_tree;
   const Gap_parameters& m_parameters;
   std::unique_ptr<Data_hull> m_hull;   ///< of the data, if that bounds completion
+  double m_diagonal = 0;               ///< of the data then
   Completed_points m_wide, m_narrow;
   double m_narrow_error = 0;
 };

@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/sphere_directions.h>
 
 #include <Eigen/Cholesky>
 
@@ -44,6 +45,7 @@ struct Mirror_evidence {
 class Mirror_symmetry {
   static constexpr std::size_t directions = 1200;       ///< of the coarse search: 4 degrees apart
   static constexpr double offset_step = 1.5;
+  static constexpr double most_offsets = 1000;          ///< of one direction: parts may be far apart
   static constexpr std::size_t coarse_samples = 160;
   static constexpr std::size_t fine_samples = 1000;
   static constexpr std::size_t evidence_samples = 4000;
@@ -186,8 +188,11 @@ private:
   {
     const Vec3 sides = m_box.sides();
     m_cell = (std::max)(1.5, std::cbrt(sides.x() * sides.y() * sides.z() / most_cells));
+    const auto cells = [&](int axis) { return std::floor(sides[axis] / m_cell) + 1; };
+    while(cells(0) * cells(1) * cells(2) > 8 * most_cells)  // a wide flat box
+      m_cell *= 2;
     for(int axis = 0; axis < 3; ++axis)
-      m_size[axis] = std::size_t(sides[axis] / m_cell) + 1;
+      m_size[axis] = std::size_t(cells(axis));
     m_nearest.resize(m_size[0] * m_size[1] * m_size[2]);
     parallel_for(m_execution, m_nearest.size(), [&](std::size_t c) {
       const Vec3 at(double(c % m_size[0]), double(c / m_size[0] % m_size[1]),
@@ -222,17 +227,15 @@ private:
     const Vec3 centre = m_box.centre();
     std::vector<Scored> best_of(directions);
     parallel_for(m_execution, directions, [&](std::size_t d) {
-      // golden spiral on the half sphere
-      const double z = (double(d) + 0.5) / double(directions);
-      const double angle = 2.399963229728653 * double(d), across = std::sqrt(1 - z * z);
-      const Vec3 normal(across * std::cos(angle), across * std::sin(angle), z);
+      const Vec3 normal = half_sphere_direction(d, directions);
       double low = 0, high = 0;
       for(const Index i : samples) {
         low = (std::min)(low, normal.dot(m_points[i] - centre));
         high = (std::max)(high, normal.dot(m_points[i] - centre));
       }
       best_of[d].score = -1e300;
-      for(double o = low + offset_step; o < high; o += offset_step) {
+      const double step = (std::max)(offset_step, (high - low) / most_offsets);
+      for(double o = low + step; o < high; o += step) {
         const Mirror_plane plane{normal, normal.dot(centre) + o};
         const double s = coarse_score(plane, samples, best_of[d].score);
         if(s > best_of[d].score)

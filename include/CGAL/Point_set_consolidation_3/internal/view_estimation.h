@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+#include <CGAL/Point_set_consolidation_3/internal/sphere_directions.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 #include <optional>
@@ -76,14 +77,11 @@ private:
   /// if there is none.
   bool least_hiding(Vec3& axis) const
   {
-    constexpr double golden_angle = 2.399963229728653;
     constexpr double alike = 0.02;   // shares
     Points directions;
     std::vector<double> shares;
     for(std::size_t k = 0; k < coarse_directions; ++k) {
-      const double z = (double(k) + 0.5) / double(coarse_directions);
-      const double radius = std::sqrt(1 - z * z), angle = golden_angle * double(k);
-      directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+      directions.push_back(half_sphere_direction(k, coarse_directions));
       shares.push_back(share_of_hidden(directions.back(), false));
     }
     const double least = *std::min_element(shares.begin(), shares.end());
