@@ -9,9 +9,8 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_BALL_CLIP_H
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
-
-#include <Eigen/Cholesky>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -102,7 +101,7 @@ private:
       right_side += change.dot(u) * along_u + change.dot(v) * along_v;
       return true;
     });
-    const Vec3 form = normal_matrix.ldlt().solve(right_side);  // second fundamental form
+    const Vec3 form = solve_normal_equations(normal_matrix, right_side);  // second fundamental form
     return 0.5 * (form[0] + form[2]) + std::hypot(0.5 * (form[0] - form[2]), form[1]);
   }
 

@@ -115,26 +115,37 @@ private:
   std::size_t m_iterations = 0;
 };
 
+#ifdef CGAL_LINKED_WITH_TBB
+/// Calls `run(body, begin, end)` for ranges that cover [0, n), by several threads. The type of the body is hidden, so
+/// that a program has one loop of TBB and not one for each body.
+inline void parallel_ranges(std::size_t n, void (*run)(const void* body, std::size_t begin, std::size_t end),
+                            const void* body)
+{
+  constexpr std::size_t grain = 64;  // about 0.1 ms of neighbour sums: overhead not measurable
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                    [=](const tbb::blocked_range<std::size_t>& range) { run(body, range.begin(), range.end()); });
+}
+#endif
+
 /// Calls `body(i)` for i in [0, n). `body` writes only to slots of its own i, so that the result is the
 /// same for any number of threads.
 template <typename Body>
 void parallel_for(const Execution& execution, std::size_t n, const Body& body)
 {
+  const auto run = [](const void* hidden, std::size_t begin, std::size_t end) {
+    const Body& body = *static_cast<const Body*>(hidden);
+    for(std::size_t i = begin; i < end; ++i)
+      body(i);
+  };
 #ifdef CGAL_LINKED_WITH_TBB
   if(execution.parallel) {
-    constexpr std::size_t grain = 64;  // about 0.1 ms of neighbour sums: overhead not measurable
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                      [&body](const tbb::blocked_range<std::size_t>& range) {
-                        for(std::size_t i = range.begin(); i != range.end(); ++i)
-                          body(i);
-                      });
+    parallel_ranges(n, run, &body);
     return;
   }
 #else
   (void)execution;
 #endif
-  for(std::size_t i = 0; i < n; ++i)
-    body(i);
+  run(&body, 0, n);
 }
 
 /// Runs `work(observer)`, a long call into CGAL whose own callback may come from another thread

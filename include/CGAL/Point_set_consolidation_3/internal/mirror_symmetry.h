@@ -10,9 +10,8 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/sphere_directions.h>
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 
@@ -307,7 +306,7 @@ private:
         matrix += gradient * gradient.transpose();
         right -= r * gradient;
       }
-      const Vec3 step = matrix.ldlt().solve(right);
+      const Vec3 step = solve_normal_equations(matrix, right);
       const Vec3 normal = plane.normal + step[0] * u + step[1] * v;
       const double length = normal.norm();
       if(!(length > 0.5 && length < 2))

@@ -8,10 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
-
-#include <Eigen/Cholesky>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -96,7 +95,7 @@ public:
         b += weight * heights[k] * rows[k];
       }
       A.diagonal().array() += 1e-6 * A(0, 0);
-      m_c = A.ldlt().solve(b);
+      m_c = solve_normal_equations(A, b);
       if(!m_c.allFinite())
         return false;
       for(std::size_t k = 0; k < n; ++k)

@@ -8,11 +8,10 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PARTICLE_NORMALS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PARTICLE_NORMALS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
-
-#include <Eigen/Cholesky>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -88,7 +87,7 @@ inline void update_particle_normals(const Execution& execution, const Points& po
     constexpr double ridge = 1e-2;
     moments.diagonal().tail<3>().array() += ridge * moments(0, 0);
     const Vec3 mean = normalized_or(Vec3(sums.row(0)), side);
-    const Eigen::Matrix<double, 4, 3> linear = moments.ldlt().solve(sums);
+    const Eigen::Matrix<double, 4, 3> linear = solve_normal_equations(moments, sums);
     const Vec3 normal = normalized_or(Vec3(linear.row(0)), mean);
     constexpr double least_cosine = 0.9;  // farther from the mean it is noise
     particle_normals[i] = normal.allFinite() && normal.dot(mean) > least_cosine ? normal : mean;

@@ -8,8 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_QUADRIC_FIT_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_QUADRIC_FIT_H
 
-#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -74,7 +75,7 @@ inline Quadric_fit fit_quadric(const Points& points, const Vec3& query,
   // a ridge far below the data's weight keeps degenerate neighbourhoods (lines) solvable
   if(neighbors.size() >= determined) {
     normal_matrix.diagonal().array() += 1e-9 * double(neighbors.size());
-    c = normal_matrix.ldlt().solve(right_side);
+    c = solve_normal_equations(normal_matrix, right_side);
   }
   if(neighbors.size() < determined || !c.allFinite()) {
     c.setZero();

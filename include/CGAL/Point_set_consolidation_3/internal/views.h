@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_VIEWS_H
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
 
 namespace CGAL {
@@ -77,7 +78,7 @@ public:
     constexpr double parallel_spread = 1e-6;  // mean squared angle: 0.06 degrees
     if(spread < parallel_spread)
       return orthographic(axis);
-    const Vec3 scanner = centre + normal_matrix.ldlt().solve(right_side);
+    const Vec3 scanner = centre + solve_normal_equations(normal_matrix, right_side);
     const double distance = (scanner - centre).norm();
     if(!(distance > std::sqrt(radius)) || (scanner - centre).dot(axis) <= 0)
       return orthographic(axis);  // the rays do not meet in front of the object
