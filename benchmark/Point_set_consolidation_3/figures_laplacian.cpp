@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <map>
 
 namespace benchmark {
 
@@ -383,6 +384,88 @@ Figure_result times(const std::string& data)
   return figure;
 }
 
+/// The same numbers for each kind of skeleton, and their summary.
+struct Kinds_table {
+  Figure_table rows{"", {"genus", "cycles", "components", "tips", "inside", "coverage", "to medial axis", "seconds"}, {}};
+  struct Sum {
+    double right = 0, false_cycles = 0, components = 0, tips = 0, inside = 0, coverage = 0, distance = 0, seconds = 0;
+    double count = 0;
+  };
+  std::map<std::string, Sum> sums;
+
+  void add(const std::string& kind, const std::string& model, double genus, double tips, const Skeleton_run& run,
+           const Judge& judge)
+  {
+    const Skeleton_verdict v = judge.skeleton(run.graph);
+    rows.rows.push_back({model + ", " + kind,
+                         {genus, double(run.cycles), double(run.components), double(run.tips), v.inside, v.coverage,
+                          v.to_medial_axis.mean, run.seconds}});
+    Sum& sum = sums[kind];
+    sum.count += 1;
+    sum.right += double(run.cycles) == genus && run.components == 1;
+    sum.false_cycles += std::abs(double(run.cycles) - genus);
+    sum.components += double(run.components) - 1;
+    sum.tips += std::abs(double(run.tips) - tips);
+    sum.inside += v.inside;
+    sum.coverage += v.coverage;
+    sum.distance += v.to_medial_axis.mean;
+    sum.seconds += run.seconds;
+  }
+};
+
+/// The three kinds of skeletons of scans from one to three sides.
+Figure_result kinds(const std::string& data)
+{
+  std::vector<std::pair<std::string, Triangle_mesh>> truths;
+  for(const char* model : {"armadillo", "dino", "cow", "man", "refined_elephant", "knot1", "eight"})
+    truths.emplace_back(model, figure_model(data, model));
+  for(const auto& [name, parts] : assembled_shapes())
+    if(name != "dumbbell")
+      truths.emplace_back(name, normalized(shape_mesh(synthetic::united(parts), 120)));
+  Figure_result figure;
+  Figure_table summary{"means over the models; tips: difference from the complete model's", 
+                       {"right topology", "of", "cycles off", "components too many", "tips off", "inside", "coverage",
+                        "to medial axis", "seconds"}, {}};
+  for(const std::size_t views : {1, 2, 3}) {
+    Kinds_table table;
+    table.rows.title = std::to_string(views) + (views == 1 ? " view" : " views");
+    for(const auto& [name, truth] : truths) {
+      Scanner_options options;
+      options.views = views;
+      options.points = 15000;
+      const Scan scan = scan_mesh(truth, options);
+      const Judge judge(truth, truth_cloud(scan));
+      const double genus = topology_of(truth).genus;
+      const double tips = double(laplacian_skeleton(even_samples(truth, model_points), {}).tips);
+      const Method_result direct = method_called("direct").run(scan.cloud);
+      const Meso_runs meso = meso_skeletons(scan.cloud);
+      const std::vector<std::pair<std::string, Skeleton_run>> runs = {
+        {"laplacian", laplacian_skeleton(scan.cloud.points, {})},
+        {"laplacian with normals", laplacian_skeleton(direct.points, direct.normals)},
+        {"l1-medial", l1_medial_skeleton(scan.cloud.points)},
+        {"meso", meso.sheets},
+        {"meso, curves only", meso.curves}};
+      for(const auto& [kind, run] : runs) {
+        table.add(kind, name, genus, tips, run, judge);
+        if(name == "armadillo" && kind != "laplacian with normals") {
+          support::Panel panel = skeleton_panel(kind + ", " + table.rows.title, run, scan.cloud.points);
+          panel.mesh = {run.graph.vertices, run.triangles};
+          figure.panels.push_back(panel);
+        }
+      }
+    }
+    for(const auto& [kind, sum] : table.sums)
+      summary.rows.push_back({kind + ", " + table.rows.title,
+                              {sum.right, sum.count, sum.false_cycles / sum.count, sum.components / sum.count,
+                               sum.tips / sum.count, sum.inside / sum.count, sum.coverage / sum.count,
+                               sum.distance / sum.count, sum.seconds / sum.count}});
+    figure.tables.push_back(table.rows);
+  }
+  figure.tables.push_back(summary);
+  figure.columns = 4;
+  return figure;
+}
+
 }  // namespace
 
 std::vector<Paper_figure> laplacian_figures()
@@ -397,6 +480,7 @@ std::vector<Paper_figure> laplacian_figures()
     {"laplacian_figure_10", "contraction factor s_L of 3 and 2", figure_10},
     {"laplacian_figure_11", "figures 11 to 13: the gap of a tube, closed along its axis; octree domain", figure_11},
     {"laplacian_figure_14", "figures 13 and 14: a skeleton is repaired by edits and drives the surface", figure_14},
+    {"laplacian_kinds", "Laplacian, L1-medial and meso-skeletons of one to three views", kinds},
     {"laplacian_times", "section IV: time at 10k points", times},
   };
 }

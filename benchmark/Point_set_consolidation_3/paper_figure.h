@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace benchmark {
@@ -58,6 +59,9 @@ Triangle_mesh figure_model(const std::string& data, const std::string& name);
 
 /// A synthetic shape as a closed mesh with about `cells` cells along its longest side.
 Triangle_mesh shape_mesh(const synthetic::Shape& shape, std::size_t cells);
+
+/// Synthetic shapes by name, as the parts that they are unions of.
+std::vector<std::pair<std::string, std::vector<synthetic::Shape>>> assembled_shapes();
 
 /// Rows of `mesh_row()`: errors in percent of the truth's diagonal.
 const std::vector<std::string>& mesh_columns();

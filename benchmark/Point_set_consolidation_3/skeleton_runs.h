@@ -28,7 +28,8 @@ struct Skeleton_options {
 };
 
 struct Skeleton_run {
-  support::Segment_graph graph;     ///< with radii
+  support::Segment_graph graph;     ///< with radii; of a meso-skeleton also the sides of its triangles
+  std::vector<std::array<std::size_t, 3>> triangles;  ///< sheets of a meso-skeleton
   std::size_t cycles = 0, components = 0, tips = 0;
   std::size_t iterations = 0;
   double seconds = 0;
@@ -41,6 +42,13 @@ Skeleton_run laplacian_skeleton(const std::vector<Vec3>& points, const std::vect
 /// `segments`: numbers of the points' segments, each with a skeleton of its own; empty: one skeleton.
 Skeleton_run l1_medial_skeleton(const std::vector<Vec3>& points,
                                 const std::vector<std::size_t>& segments = {});
+
+/// Skeletons of the deep points; the scan has directions towards the scanner and views.
+struct Meso_runs {
+  Skeleton_run sheets;  ///< meso-skeleton: curves and sheets; tips are those of curves
+  Skeleton_run curves;  ///< contracted to curves, tips extended
+};
+Meso_runs meso_skeletons(const support::Point_cloud& scan);
 
 /// Edits as in the file that the programs apply; counts are those after it.
 /// \throws std::invalid_argument if an edit is wrong

@@ -51,6 +51,7 @@ struct Options {
   double initial_radius = 0, repulsion = 0.35;
   // meso
   std::size_t particles = 0;
+  bool curves_only = false;
   std::vector<support::Vec3> scanner;
 };
 
@@ -62,6 +63,7 @@ struct Run {
   support::Triangle_mesh mesh = {};  // or a soup of polygons
   std::size_t number_of_points() const { return cloud.size() + mesh.vertices.size(); }
   Meso_skeleton meso = {};  // curves and sheets, of the method meso
+  bool has_sheets() const { return options.method == "meso" && !options.curves_only; }
 };
 
 Point to_point(const support::Vec3& p) { return Point(p.x(), p.y(), p.z()); }
@@ -151,7 +153,9 @@ Skeleton meso(Run& run)
     CGAL::Deep_points_consolidation_3<Kernel, Concurrency_tag> consolidation(scan.indices, parameters);
     CGAL::meso_skeleton_to_graph(consolidation, run.meso,
                                  params::sampling_radius(options.sampling_radius)
-                                   .largest_merged_cycle(options.largest_merged_cycle));
+                                   .largest_merged_cycle(options.largest_merged_cycle)
+                                   .curves_only(options.curves_only)
+                                   .extend_tips(options.curves_only && !options.keeps_tips));
     run.times = consolidation.stage_times();
   };
   support::with_scanner(scan, np, [&](const auto& parameters) {
@@ -175,7 +179,7 @@ bool parse(Options& options, int argc, char** argv)
   support::Command_line line("extract_skeleton", "Extracts the curve skeleton of a point set.");
   line.positional("INPUT", options.input, "point file: .ply .off .noff .xyz .pwn .las");
   line.option("-o,--output", "FILE", options.output,
-              "skeleton: .ply with edges and radii, or .polylines.txt; method meso also .obj and .ma");
+              "skeleton: .ply with edges and radii, or .polylines.txt; method meso with sheets also .obj and .ma");
   std::vector<std::string> names;
   for(const auto& method : methods)
     names.push_back(method.first);
@@ -224,12 +228,14 @@ bool parse(Options& options, int argc, char** argv)
   line.heading("Method meso: curves and sheets (and --sampling-radius, --merge-cycles)");
   line.option("--particles", "N", options.particles, "number of deep points")
     .default_is("5 % of the points, at least 4000");
+  line.flag("--curves-only", options.curves_only,
+            "contract sheets to curves: a curve skeleton, of scans from few sides the best (and --edits, --keep-tips)");
   line.option("--scanner", "X Y Z", options.scanner,
               "position of the scanner; repeated in the order of the property view");
   if(!line.parse(argc, argv))
     return false;
-  if(options.method == "meso" && !options.edits.empty())
-    throw support::Usage_error("--edits is for curve skeletons, not for --method meso");
+  if(options.method == "meso" && !options.curves_only && !options.edits.empty())
+    throw support::Usage_error("--edits is for curve skeletons, not for --method meso without --curves-only");
   if(options.method == "l1-medial" && options.samples && *options.samples < 10)
     throw support::Usage_error("--samples must be at least 10 for --method l1-medial");
   if(options.output.empty())
@@ -261,15 +267,15 @@ support::Segment_graph to_segment_graph(const Skeleton& skeleton)
   return graph;
 }
 
-void write(const Options& options, const Skeleton& skeleton, const Meso_skeleton& meso)
+void write(const Run& run, const Skeleton& skeleton)
 {
-  const std::string& name = options.output;
-  if(options.method != "meso" && ends_with(name, ".ply"))
+  const std::string& name = run.options.output;
+  if(!run.has_sheets() && ends_with(name, ".ply"))
     support::write_segment_graph(name, to_segment_graph(skeleton));
   else
     support::replace_file(name, [&](const std::string& file) {
-      return options.method == "meso" && is_meso_output(name)
-               ? CGAL::IO::write_meso_skeleton(file, meso)
+      return run.has_sheets() && is_meso_output(name)
+               ? CGAL::IO::write_meso_skeleton(file, run.meso)
                : CGAL::IO::write_curve_skeleton(file, skeleton);
     });
 }
@@ -286,7 +292,7 @@ void report(const Run& run, const Skeleton& skeleton)
   json["points"] = run.number_of_points();
   json["vertices"] = num_vertices(skeleton);
   json["edges"] = num_edges(skeleton);
-  if(run.options.method == "meso") {
+  if(run.has_sheets()) {
     json["components"] = CGAL::number_of_components(run.meso);
     json["cycles"] = CGAL::number_of_cycles(run.meso);
     json["sheets"] = CGAL::number_of_sheets(run.meso);
@@ -336,9 +342,10 @@ void check_output(const Options& options)
   for(const char* const end : {".ply", ".polylines.txt", ".cgal"})
     if(ends_with(options.output, end))
       return;
-  if(options.method != "meso" || !is_meso_output(options.output))
+  const bool has_sheets = options.method == "meso" && !options.curves_only;
+  if(!has_sheets || !is_meso_output(options.output))
     throw support::File_error(options.output + ": the extension is none of .ply .polylines.txt .cgal" +
-                              (options.method == "meso" ? " .obj .ma" : ""));
+                              (has_sheets ? " .obj .ma" : ""));
 }
 
 }  // namespace
@@ -357,7 +364,7 @@ int main(int argc, char** argv)
       support::with_points_of(options.input, [&] { return methods.at(options.method)(run); });
     if(!options.edits.empty())
       apply_edits(options, skeleton);
-    write(options, skeleton, run.meso);
+    write(run, skeleton);
     if(!options.picture.empty())
       write_picture(run, skeleton);
     if(!options.json.empty())

@@ -111,7 +111,12 @@ std::size_t number_of_sheets(const Meso_skeleton_3<Kernel>& skeleton)
   Sheets are triangulated between the means of groups of anchors, which cover them up to their rims. All other inner points
   are sampled and thinned to curves as in section III.B of \cgalCite{cgal:ctowz-pcsvl-10}, where groups are
   connected if their outer points are neighbours on the surface: nothing is joined across space. Where a curve and a
-  sheet touch on the surface, an edge joins them.
+  sheet touch on the surface, an edge joins them. Cycles that do not go around a hole of the shape (a disc that spans
+  them stays inside of it) are filled with triangles, those of curves with few vertices are merged.
+
+  With `curves_only` the result is an ordinary curve skeleton: the anchors are contracted as in section III.A of
+  \cgalCite{cgal:ctowz-pcsvl-10}, which draws sheets together, and thinned; no triangle is made. On scans from one to three
+  sides it has far fewer false cycles and branches than the contraction of the points themselves.
 
   Points whose depth is a guess because nothing opposes them are part of the graph and labelled so.
 
@@ -132,9 +137,21 @@ std::size_t number_of_sheets(const Meso_skeleton_3<Kernel>& skeleton)
       \cgalParamDefault{0.02}
     \cgalParamNEnd
     \cgalParamNBegin{largest_merged_cycle}
-      \cgalParamDescription{cycles of curves with at most so many vertices are merged to one; 0 keeps all}
+      \cgalParamDescription{cycles of curves with at most so many vertices (twice as many with `curves_only`) are merged to
+        one, unless they go around a hole of the shape; 0 keeps all cycles, those of sheets too}
       \cgalParamType{`std::size_t`}
       \cgalParamDefault{6}
+    \cgalParamNEnd
+    \cgalParamNBegin{curves_only}
+      \cgalParamDescription{whether sheets are contracted to curves}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+    \cgalParamNEnd
+    \cgalParamNBegin{extend_tips}
+      \cgalParamDescription{whether curves are extended to the end of the shape, to a vertex of radius 0 and without
+        points}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{the value of `curves_only`}
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
@@ -160,6 +177,10 @@ bool meso_skeleton_to_graph(Deep_points_consolidation_3<Traits, ConcurrencyTag>&
   parameters.largest_merged_cycle = internal::parameter_or(
     cgal_np, Point_set_consolidation_3::internal_np::largest_merged_cycle,
     parameters.largest_merged_cycle);
+  parameters.curves_only = internal::parameter_or(
+    cgal_np, Point_set_consolidation_3::internal_np::curves_only, parameters.curves_only);
+  parameters.extend_tips = internal::parameter_or(
+    cgal_np, Point_set_consolidation_3::internal_np::extend_tips, parameters.curves_only);
   if(!consolidation.form_meso_skeleton())
     return false;
 

@@ -20,6 +20,7 @@
 namespace {
 
 namespace psc = CGAL::Point_set_consolidation_3;
+namespace core = CGAL::Point_set_consolidation_3::internal;
 namespace params = CGAL::Point_set_consolidation_3::parameters;
 using synthetic::Scan;
 using synthetic::Shape;
@@ -196,12 +197,110 @@ void meso_skeleton_of_a_patch()
   assert(num_vertices(skeleton.graph) == 0);
 }
 
+/// Cycles modulo the triangles between them.
+void homology()
+{
+  std::cout << "homology" << std::endl;
+  core::Skeleton_graph graph;
+  graph.nodes.resize(6);
+  for(std::size_t v = 0; v < 6; ++v)
+    graph.nodes[v].position = (v < 3 ? 1. : 3.) * Vec3(std::cos(2.1 * double(v)), std::sin(2.1 * double(v)), 0);
+  // a ring of six triangles between an inner triangle 0 1 2 and an outer one 3 4 5
+  std::vector<core::Sheet_triangle> ring = {{0, 1, 4}, {0, 3, 4}, {1, 2, 5}, {1, 4, 5}, {0, 2, 3}, {2, 3, 5}};
+  graph.edges = core::all_edges({}, ring);
+  const core::Skeleton_homology one(graph, ring);
+  assert(one.number_of_cycles() == 1);
+  std::vector<std::size_t> inner = one.shortest_basis().front();
+  std::sort(inner.begin(), inner.end());
+  assert((inner == std::vector<std::size_t>{0, 1, 2}));
+  ring.push_back({0, 1, 2});
+  assert(core::Skeleton_homology(graph, ring).number_of_cycles() == 0);
+  const core::Skeleton_homology bare(graph, {});
+  assert(bare.number_of_cycles() == 7 && bare.shortest_basis().size() == 7);
+  // the sides of a tetrahedron enclose a cavity, and no cycle
+  const std::vector<core::Sheet_triangle> closed = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  graph.nodes.resize(4);
+  graph.edges = core::all_edges({}, closed);
+  assert(core::Skeleton_homology(graph, closed).number_of_cycles() == 0);
+}
+
+/// Discs across a hole leave the shape, others do not.
+void spanning_discs()
+{
+  std::cout << "spanning discs" << std::endl;
+  const Shape ring = synthetic::torus(10, 3);
+  const std::vector<Vec3> points = synthetic::samples(ring, 1500, 1);
+  std::vector<Vec3> normals;
+  for(const Vec3& p : points)
+    normals.push_back(ring.normal(p));
+  const core::Spanning_disc disc(points, normals);
+  std::vector<Vec3> around, within;
+  for(int k = 0; k < 12; ++k) {
+    const double angle = k * std::acos(-1.) / 6;
+    around.emplace_back(10 * std::cos(angle), 10 * std::sin(angle), 0);
+    within.emplace_back(10 + 2 * std::cos(angle), 0, 2 * std::sin(angle));
+  }
+  assert(disc.leaves_the_shape(around) && disc.share_inside(around) < 0.6);
+  assert(!disc.leaves_the_shape(within) && disc.share_inside(within) == 1);
+}
+
+/// A hole of a sheet is a cycle, gaps between its triangles are none; with curves only a ring is left of it.
+void holes_of_sheets()
+{
+  std::cout << "holes of sheets" << std::endl;
+  const Shape plate = synthetic::plate(3, 3, 0.12);
+  const Shape washer([&](const Vec3& p) { return (std::max)(plate.distance(p), 0.7 - std::hypot(p.x(), p.y())); },
+                     [](const Vec3& p) { return std::abs(p.z()); }, plate.lower, plate.upper);
+  CGAL::Deep_points_consolidation_3<Kernel, CGAL::Parallel_if_available_tag> consolidation(
+    rays(synthetic::scan(washer, {Vec3(.3, .2, 1), Vec3(-.2, -.3, -1)}, 12000, 8)),
+    params::point_map(First()).view_direction_map(Second()).number_of_output_points(3000));
+  Meso_skeleton sheet, curves;
+  assert(CGAL::meso_skeleton_to_graph(consolidation, sheet));
+  assert(number_of_sheets(sheet) == 1 && number_of_components(sheet) == 1 && number_of_cycles(sheet) == 1);
+  assert(CGAL::meso_skeleton_to_graph(consolidation, curves, params::curves_only(true)));
+  assert(curves.triangles.empty() && number_of_components(curves) == 1 && number_of_cycles(curves) == 1);
+}
+
+/// One view of three limbs: curves to their ends.
+void curves_of_one_view()
+{
+  std::cout << "curves of one view" << std::endl;
+  const Vec3 ends[] = {Vec3(0, 0, -2), Vec3(1.4, 0, 1.4), Vec3(-1.4, 0, 1.4)};
+  std::vector<Shape> limbs;
+  for(const Vec3& end : ends)
+    limbs.push_back(synthetic::capsule(Vec3(0, 0, 0), end, 0.35));
+  CGAL::Deep_points_consolidation_3<Kernel, CGAL::Parallel_if_available_tag> consolidation(
+    rays(synthetic::scan(synthetic::united(limbs), {Vec3(.2, 1, .1)}, 12000, 3)),
+    params::point_map(First()).view_direction_map(Second()).number_of_output_points(3000));
+  Meso_skeleton kept, extended;
+  assert(CGAL::meso_skeleton_to_graph(consolidation, kept,
+                                      params::curves_only(true).extend_tips(false)));
+  assert(CGAL::meso_skeleton_to_graph(consolidation, extended, params::curves_only(true)));
+  assert(num_vertices(extended.graph) == num_vertices(kept.graph) + 3);
+  assert(extended.vertex_labels.size() == num_vertices(extended.graph));
+  for(const Meso_skeleton* skeleton : {&kept, &extended}) {
+    assert(number_of_components(*skeleton) == 1 && number_of_cycles(*skeleton) == 0);
+    assert(vertices_of_degree(*skeleton, 1) == 3 && vertices_of_degree(*skeleton, 3) == 1);
+  }
+  for(std::size_t v = num_vertices(kept.graph); v < num_vertices(extended.graph); ++v) {
+    double nearest = 10;
+    for(const Vec3& end : ends)
+      nearest = (std::min)(nearest, (vec3(extended.graph[v].point) - (1 + 0.35 / end.norm()) * end).norm());
+    assert(nearest < 0.2);  // of the end of the cap
+    assert(extended.graph[v].radius == 0 && extended.graph[v].points.empty());
+  }
+}
+
 }  // namespace
 
 int main()
 {
+  homology();
+  spanning_discs();
   meso_skeleton_of_tubes();
   meso_skeleton_of_sheets();
   meso_skeleton_of_a_patch();
+  holes_of_sheets();
+  curves_of_one_view();
   return EXIT_SUCCESS;
 }

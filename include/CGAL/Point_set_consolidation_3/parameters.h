@@ -126,6 +126,7 @@
   X(sampling_radius)         /* of the nodes of a skeleton graph */                     \
   X(largest_merged_cycle)                                                               \
   X(extend_tips)                                                                        \
+  X(curves_only)             /* of a meso-skeleton */                                   \
   X(grid_resolution)         /* cells along the longest side */                         \
   X(outside_factor)          /* K */                                                    \
   X(smoothness_weight)                                                                  \

@@ -8,9 +8,13 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_GRAPH_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_GRAPH_H
 
+#include <CGAL/Point_set_consolidation_3/internal/meso_curves.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_labels.h>
+#include <CGAL/Point_set_consolidation_3/internal/recentring.h>
 #include <CGAL/Point_set_consolidation_3/internal/sheet_triangles.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_homology.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
+#include <CGAL/Point_set_consolidation_3/internal/spanning_disc.h>
 
 #include <map>
 #include <set>
@@ -24,6 +28,8 @@ namespace internal {
 struct Meso_graph_parameters {
   double sampling_radius = 0.02;            ///< distance of the nodes, in diagonals of the box of S
   std::size_t largest_merged_cycle = 6;     ///< nodes
+  bool curves_only = false;                 ///< sheets are contracted to curves
+  bool extend_tips = false;                 ///< of curves, to the end of S
 };
 
 struct Meso_graph {
@@ -48,7 +54,7 @@ inline std::vector<Skeleton_edge> all_edges(const std::vector<Skeleton_edge>& ed
   return std::vector<Skeleton_edge>(all.begin(), all.end());
 }
 
-/// Betti numbers of curves and sheets together. A sheet that encloses a cavity would count as -1 cycle.
+/// Betti numbers of curves and sheets together.
 struct Meso_topology {
   std::size_t components = 0, cycles = 0, sheets = 0;
 };
@@ -60,9 +66,7 @@ inline Meso_topology topology_of(const Skeleton_graph& graph,
   Skeleton_graph all = graph;
   all.edges = all_edges(graph.edges, triangles);
   topology.components = number_of_components(all);
-  const std::size_t odd = topology.components + all.edges.size();
-  const std::size_t even = all.nodes.size() + triangles.size();
-  topology.cycles = odd > even ? odd - even : 0;
+  topology.cycles = Skeleton_homology(all, triangles).number_of_cycles();
   Skeleton_graph sheets = graph;
   sheets.edges = all_edges({}, triangles);
   std::vector<char> is_corner(graph.nodes.size(), 0);
@@ -80,7 +84,8 @@ class Meso_graph_builder {
 public:
   Meso_graph_builder(const Execution& execution, const Meso_shape& shape,
                      const Meso_graph_parameters& parameters)
-    : m_execution(execution), m_shape(shape), m_parameters(parameters)
+    : m_execution(execution), m_shape(shape), m_disc(shape.outer, shape.normals)
+    , m_parameters(parameters)
     , m_node_distance((std::max)(least_node_distance,
                                  parameters.sampling_radius * bounding_box(shape.outer).diagonal()))
   {
@@ -89,13 +94,22 @@ public:
   Meso_graph run()
   {
     const std::vector<Ring_edge> links = surface_links(m_execution, m_shape);
-    const std::vector<char> is_sheet = Sheet_finder(m_execution, m_shape, links).find();
+    std::vector<char> is_sheet(m_shape.outer.size(), 0);
     m_result.node_of.resize(is_sheet.size());
-    add_curves(links, is_sheet);
-    add_sheets(links, is_sheet);
-    join_parts(links);
+    if(m_parameters.curves_only)
+      add_contracted_curves(links);
+    else {
+      is_sheet = Sheet_finder(m_execution, m_shape, links).find();
+      add_curves(links, is_sheet);
+      add_sheets(links, is_sheet);
+      join_parts(links);
+      if(m_parameters.largest_merged_cycle > 0)
+        fill_false_cycles();
+    }
     set_radii();
     set_labels(is_sheet);
+    if(m_parameters.extend_tips)
+      add_tips();
     return std::move(m_result);
   }
 
@@ -158,10 +172,41 @@ private:
     if(curve.empty())
       return;
     Skeleton_thinning thinning(selected(m_shape.skeletal, curve), links_among(links, is_sheet, 0, place),
-                               {m_node_distance, m_parameters.largest_merged_cycle},
-                               selected(m_shape.outer, curve));
+                               {m_node_distance, m_parameters.largest_merged_cycle,
+                                [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }});
     thinning.thin();
     append(thinning.graph(), curve, m_shape.skeletal, false);
+  }
+
+  /// One graph of all deep points. The contraction is coarser than the skeletal points: longer cycles are merged.
+  void add_contracted_curves(const std::vector<Ring_edge>& links)
+  {
+    Skeleton_thinning thinning(contracted_anchors(m_execution, m_shape), links,
+                               {m_node_distance, 2 * m_parameters.largest_merged_cycle,
+                                [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }});
+    thinning.thin();
+    std::vector<std::size_t> all(m_shape.outer.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    append(thinning.graph(), all, m_shape.skeletal, false);
+  }
+
+  void add_tips()
+  {
+    Skeleton_graph& graph = m_result.graph;
+    std::vector<char> is_corner(graph.nodes.size(), 0);
+    for(const Sheet_triangle& t : m_result.triangles)
+      for(const std::size_t v : t)
+        is_corner[v] = 1;
+    // sheets end at their rims
+    std::vector<std::vector<std::size_t> > hidden(graph.nodes.size());
+    for(std::size_t v = 0; v < is_corner.size(); ++v)
+      if(is_corner[v])
+        hidden[v].swap(graph.nodes[v].points);
+    extend_tips(graph, m_shape.outer);
+    for(std::size_t v = 0; v < is_corner.size(); ++v)
+      if(is_corner[v])
+        hidden[v].swap(graph.nodes[v].points);
+    m_result.node_labels.resize(graph.nodes.size(), Meso_label::END);
   }
 
   /// The skeletal points of a sheet draw together in it; the anchors cover it up to its rim.
@@ -261,6 +306,27 @@ private:
     return false;
   }
 
+  /// A cycle that goes around a hole of the shape cannot be spanned inside of it. Others come from gaps of sheets
+  /// and from sheets and curves that touch several times: triangles span them.
+  void fill_false_cycles()
+  {
+    Skeleton_graph all = m_result.graph;
+    all.edges = all_edges(all.edges, m_result.triangles);
+    for(const std::vector<std::size_t>& cycle : Skeleton_homology(all, m_result.triangles).shortest_basis()) {
+      Points corners;
+      for(const std::size_t v : cycle)
+        corners.push_back(all.nodes[v].position);
+      if(m_disc.leaves_the_shape(corners))
+        continue;
+      const std::vector<Sheet_triangle> disc = triangles_of_polygon(
+        cycle, [&](std::size_t v) -> const Vec3& { return all.nodes[v].position; });
+      m_result.triangles.insert(m_result.triangles.end(), disc.begin(), disc.end());
+    }
+    std::sort(m_result.triangles.begin(), m_result.triangles.end());
+    m_result.triangles.erase(std::unique(m_result.triangles.begin(), m_result.triangles.end()),
+                             m_result.triangles.end());
+  }
+
   void set_radii()
   {
     const Nearest_neighbors tree(m_shape.outer);
@@ -301,6 +367,7 @@ private:
 
   const Execution& m_execution;
   const Meso_shape& m_shape;
+  Spanning_disc m_disc;
   Meso_graph_parameters m_parameters;
   double m_node_distance;
   Meso_graph m_result;

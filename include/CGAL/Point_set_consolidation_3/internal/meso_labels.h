@@ -32,17 +32,37 @@ struct Meso_shape {
   std::vector<char> is_unanchored;
 };
 
-/// Which outer points are neighbours on the surface. Rings join the walls of a crevice as well; their normals
-/// oppose each other.
-inline std::vector<Ring_edge> surface_links(const Execution& execution, const Meso_shape& shape)
+/// Of a ring, the point itself included.
+inline std::size_t link_neighbors(const Meso_shape& shape)
 {
   constexpr std::size_t ring_neighbors = 12;
+  return (std::min)(ring_neighbors, shape.outer.size());
+}
+
+/// Rings join the walls of a crevice as well; their normals oppose each other.
+inline bool are_opposed(const Meso_shape& shape, std::size_t i, std::size_t j)
+{
   constexpr double least_cosine = -0.5;
-  const std::size_t k = (std::min)(ring_neighbors, shape.outer.size());
-  std::vector<Ring_edge> links = find_tangent_rings(execution, shape.outer, k).edges;
+  return shape.normals[i].dot(shape.normals[j]) < least_cosine;
+}
+
+/// Which outer points are neighbours on the surface. A few points on a thin rim that have no neighbours but opposed
+/// ones keep these.
+inline std::vector<Ring_edge> surface_links(const Execution& execution, const Meso_shape& shape)
+{
+  const std::size_t n = shape.outer.size(), few = link_neighbors(shape);
+  std::vector<Ring_edge> links = find_tangent_rings(execution, shape.outer, few).edges;
+  Disjoint_sets parts(n);
+  for(const Ring_edge& e : links)
+    if(!are_opposed(shape, e[0], e[1]))
+      parts.join(e[0], e[1]);
+  std::vector<std::size_t> size(n, 0);
+  for(std::size_t i = 0; i < n; ++i)
+    ++size[parts.find(i)];
   links.erase(std::remove_if(links.begin(), links.end(),
                              [&](const Ring_edge& e) {
-                               return shape.normals[e[0]].dot(shape.normals[e[1]]) < least_cosine;
+                               return are_opposed(shape, e[0], e[1]) && size[parts.find(e[0])] >= few &&
+                                      size[parts.find(e[1])] >= few;
                              }),
               links.end());
   return links;

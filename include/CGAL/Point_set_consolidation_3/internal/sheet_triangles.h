@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SHEET_TRIANGLES_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SHEET_TRIANGLES_H
 
+#include <CGAL/Point_set_consolidation_3/internal/spanning_disc.h>
 #include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
 
 #include <map>
@@ -161,25 +162,10 @@ private:
     return {};
   }
 
-  /// Cuts off corners by the shortest diagonal.
-  void fill(std::vector<Index> hole)
+  void fill(const std::vector<Index>& hole)
   {
-    while(hole.size() >= 3) {
-      const std::size_t n = hole.size();
-      std::size_t ear = 0;
-      double shortest = std::numeric_limits<double>::max();
-      for(std::size_t k = 0; k < n; ++k) {
-        const double length = (m_points[hole[(k + 1) % n]] - m_points[hole[(k + n - 1) % n]]).norm();
-        if(length < shortest) {
-          shortest = length;
-          ear = k;
-        }
-      }
-      Ring_triangle t = {hole[(ear + n - 1) % n], hole[ear], hole[(ear + 1) % n]};
-      std::sort(t.begin(), t.end());
-      insert(t);
-      hole.erase(hole.begin() + std::ptrdiff_t(ear));
-    }
+    for(const Sheet_triangle& t : triangles_of_polygon(hole, [&](Index i) -> const Vec3& { return m_points[i]; }))
+      insert({Index(t[0]), Index(t[1]), Index(t[2])});
   }
 
   const Points& m_points;

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -25,6 +26,8 @@ namespace internal {
 struct Thinning_parameters {
   double sampling_radius = 0;             ///< r: distance of the graph's nodes
   std::size_t largest_merged_cycle = 6;   ///< nodes; 0: no cycle is merged
+  /// Whether a cycle, given by its corners, goes around a hole of the shape; empty: estimated from its width.
+  std::function<bool(const Points&)> is_handle = {};
 };
 
 class Skeleton_thinning {
@@ -229,6 +232,12 @@ private:
   /// for handles and 0.4 to 0.6 for others.
   bool is_handle(const std::vector<std::size_t>& cycle) const
   {
+    if(m_parameters.is_handle) {
+      Points corners;
+      for(const std::size_t i : cycle)
+        corners.push_back(m_positions[i]);
+      return m_parameters.is_handle(corners);
+    }
     if(m_surface.empty())
       return false;
     const std::size_t n = cycle.size();

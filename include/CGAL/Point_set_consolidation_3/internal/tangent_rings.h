@@ -43,6 +43,33 @@ inline std::size_t default_ring_neighbors(std::size_t n)
   return (std::min)(std::size_t(12), (std::max)(std::size_t(8), std::size_t(std::round(share * double(n)))));
 }
 
+/// Edges and rings of the triangles among `n` points.
+inline void connect_triangles(std::size_t n, Tangent_rings& rings)
+{
+  rings.edges.clear();
+  for(const Ring_triangle& t : rings.triangles) {
+    rings.edges.push_back({t[0], t[1]});
+    rings.edges.push_back({t[0], t[2]});
+    rings.edges.push_back({t[1], t[2]});
+  }
+  std::sort(rings.edges.begin(), rings.edges.end());
+  rings.edges.erase(std::unique(rings.edges.begin(), rings.edges.end()), rings.edges.end());
+  rings.first.assign(n + 1, 0);
+  for(const Ring_edge& e : rings.edges) {
+    ++rings.first[e[0] + 1];
+    ++rings.first[e[1] + 1];
+  }
+  for(std::size_t i = 0; i < n; ++i)
+    rings.first[i + 1] += rings.first[i];
+  rings.neighbors.resize(rings.first[n]);
+  std::vector<std::size_t> next(rings.first.begin(), rings.first.end() - 1);
+  // edges are sorted by their first ends: smaller neighbours of a point come first, all in order
+  for(const Ring_edge& e : rings.edges)
+    rings.neighbors[next[e[1]]++] = e[0];
+  for(const Ring_edge& e : rings.edges)
+    rings.neighbors[next[e[0]]++] = e[1];
+}
+
 class Tangent_ring_finder {
   /// Angle of a triangle at the centre below which it is no triangle (coincident projections).
   static constexpr double least_sine = 1e-10;
@@ -82,42 +109,11 @@ public:
         rings.agreement.push_back(1);
       }
     rings.triangles.resize(rings.agreement.size());
-    connect(m_points.size(), rings);
+    connect_triangles(m_points.size(), rings);
     return rings;
   }
 
 private:
-  template <typename T>
-  static void sort_unique(std::vector<T>& values)
-  {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-  }
-
-  static void connect(std::size_t n, Tangent_rings& rings)
-  {
-    for(const Ring_triangle& t : rings.triangles) {
-      rings.edges.push_back({t[0], t[1]});
-      rings.edges.push_back({t[0], t[2]});
-      rings.edges.push_back({t[1], t[2]});
-    }
-    sort_unique(rings.edges);
-    rings.first.assign(n + 1, 0);
-    for(const Ring_edge& e : rings.edges) {
-      ++rings.first[e[0] + 1];
-      ++rings.first[e[1] + 1];
-    }
-    for(std::size_t i = 0; i < n; ++i)
-      rings.first[i + 1] += rings.first[i];
-    rings.neighbors.resize(rings.first[n]);
-    std::vector<std::size_t> next(rings.first.begin(), rings.first.end() - 1);
-    // edges are sorted by their first ends: smaller neighbours of a point come first, all in order
-    for(const Ring_edge& e : rings.edges)
-      rings.neighbors[next[e[1]]++] = e[0];
-    for(const Ring_edge& e : rings.edges)
-      rings.neighbors[next[e[0]]++] = e[1];
-  }
-
   /// Triangles at point i of the Delaunay triangulation of its neighbourhood in the tangent plane.
   ///
   /// Inversion at point i takes circles through it to lines: a circle through i, a and b is empty if
