@@ -48,6 +48,17 @@ void completion(const Cloud& cloud, const Run& run, Output& output)
     }), output);
 }
 
+/// Each point is seen from where its normal points to, so that rays, free space and mirror planes count.
+void completion_of_views(const Cloud& cloud, const Run& run, Output& output)
+{
+  append(written<Deep_point>(cloud, run, output,
+    [&](auto tag, const auto& np, auto out) {
+      CGAL::complete_point_set<decltype(tag)>(
+        cloud.samples, out,
+        np.number_of_output_points(particles(cloud)).view_direction_map(Normal_map{&run}));
+    }), output);
+}
+
 void stages(const Cloud& cloud, const Run& run, Output& output)
 {
   with_tag_and_maps(cloud, run, [&](auto tag, const auto& np) {
@@ -110,6 +121,7 @@ const std::vector<Function>& consolidations()
   static const std::vector<Function> functions = {
     {"deep_points_consolidate_point_set", Normals::OPTIONAL, false, deep_points},
     {"complete_point_set", Normals::OPTIONAL, true, completion},
+    {"complete_point_set (views)", Normals::NEEDED, true, completion_of_views},
     {"Deep_points_consolidation_3", Normals::OPTIONAL, false, stages},
     {"meso_skeleton_to_graph", Normals::OPTIONAL, false, meso_graph},
     {"iterative_consolidate_point_set", Normals::OPTIONAL, false, iterative}};

@@ -30,14 +30,18 @@ struct Guard_parameters {
   /// the pole of a missing hemisphere has, is no continuation of its rim.
   double largest_elevation = 0.75;
   /// A region of completed points is taken back as a whole if it rises higher than this anywhere, ...
-  double largest_region_elevation = 0.6;
+  double largest_region_elevation = 0.7;
   /// ... or if its normals differ more from the data's along its rim (mean cosine): it bends off instead of
   /// going on.
   double least_rim_cosine = 0.95;
-  /// Regions that reach no farther from the data are bounded all around by near data: any elevation is
-  /// possible there, and normals may differ by this mean cosine.
+  /// Regions that reach no farther from the data are bounded all around by near data: their normals may differ by
+  /// this mean cosine.
   double small_reach = 1;
   double least_small_rim_cosine = 0.7;
+  /// Where the mean normal of a region's rim is shorter than this, the hole is a crease between parts that
+  /// occluded each other and not a patch of one sheet, unless it is wide (in units of h).
+  double least_rim_flatness = 0.6;
+  double wide_reach = 1.5;
   /// A region is also taken back if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
   double least_reach = 0.45;
   /// Share of all added points that must pass, else all are taken back: where most extensions fail, gaps are
@@ -102,6 +106,7 @@ public:
       return is_doubtful;
     struct Region {
       double elevation = 0, reach = 0, cosine = 0;
+      Vec3 rim_normals = Vec3::Zero();
       std::size_t rim_points = 0;
     };
     std::vector<Neighbor> nearest(points.size());
@@ -121,6 +126,7 @@ public:
       region.reach = (std::max)(region.reach, distance);
       if(distance < rim * m_h) {
         region.cosine += n.dot(normals[i]);
+        region.rim_normals += n;
         ++region.rim_points;
       }
     }
@@ -129,10 +135,12 @@ public:
       const bool is_small = region.reach <= m_parameters.small_reach * m_h;
       const double least_cosine =
         is_small ? m_parameters.least_small_rim_cosine : m_parameters.least_rim_cosine;
+      const bool is_wide = region.reach > m_parameters.wide_reach * m_h;
       is_doubtful[i] =
-        (!is_small && region.elevation > m_parameters.largest_region_elevation) ||
+        region.elevation > m_parameters.largest_region_elevation ||
         region.reach < m_parameters.least_reach * m_h ||
-        region.cosine < least_cosine * double(region.rim_points);
+        region.cosine < least_cosine * double(region.rim_points) ||
+        (!is_wide && region.rim_normals.norm() < m_parameters.least_rim_flatness * double(region.rim_points));
     }
     const std::size_t accepted =
       std::size_t(std::count(is_doubtful.begin(), is_doubtful.end(), char(0)));
