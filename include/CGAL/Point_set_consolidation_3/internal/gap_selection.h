@@ -32,6 +32,7 @@ class Gap_selection {
   static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
   static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
+  static constexpr double least_share = 0.01;     ///< of the data: gaps with fewer points in all are bridged well
   /// A gap whose closure leaves the data's hull farther than both is a balloon: share of the data's
   /// diagonal, and of the closure's largest distance from the data (0.7 at the round end of a tube).
   static constexpr double least_swelling = 0.05, swelling_share = 0.8;
@@ -63,7 +64,8 @@ public:
       sort_in(allowed, gap, is_all_open);
     // The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts
     // belongs to all points, and thin parts left open beside closed ones would be lost.
-    if(m_narrow_error < predictable * double(m_narrow.points.size()))
+    const double narrow_points = double(m_narrow.points.size());
+    if(m_narrow_error < predictable * narrow_points && narrow_points > least_share * double(m_seen.points.size()))
       m_wide.append(m_narrow);
     return std::move(m_wide);
   }
