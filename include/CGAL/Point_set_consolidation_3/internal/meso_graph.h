@@ -173,7 +173,8 @@ private:
       return;
     Skeleton_thinning thinning(selected(m_shape.skeletal, curve), links_among(links, is_sheet, 0, place),
                                {m_node_distance, m_parameters.largest_merged_cycle,
-                                [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }});
+                                [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }},
+                               selected(m_shape.skeletal, curve));
     thinning.thin();
     append(thinning.graph(), curve, m_shape.skeletal, false);
   }
@@ -183,7 +184,8 @@ private:
   {
     Skeleton_thinning thinning(contracted_anchors(m_execution, m_shape), links,
                                {m_node_distance, 2 * m_parameters.largest_merged_cycle,
-                                [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }});
+                                [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }},
+                               m_shape.skeletal);
     thinning.thin();
     std::vector<std::size_t> all(m_shape.outer.size());
     std::iota(all.begin(), all.end(), std::size_t(0));

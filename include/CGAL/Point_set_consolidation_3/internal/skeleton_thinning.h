@@ -26,7 +26,8 @@ namespace internal {
 struct Thinning_parameters {
   double sampling_radius = 0;             ///< r: distance of the graph's nodes
   std::size_t largest_merged_cycle = 6;   ///< nodes; 0: no cycle is merged
-  /// Whether a cycle, given by its corners, goes around a hole of the shape; empty: estimated from its width.
+  /// Whether a cycle goes around a hole of the shape, by the mean of each of its nodes' points before they became thin;
+  /// empty: estimated from its width.
   std::function<bool(const Points&)> is_handle = {};
 };
 
@@ -232,12 +233,6 @@ private:
   /// for handles and 0.4 to 0.6 for others.
   bool is_handle(const std::vector<std::size_t>& cycle) const
   {
-    if(m_parameters.is_handle) {
-      Points corners;
-      for(const std::size_t i : cycle)
-        corners.push_back(m_positions[i]);
-      return m_parameters.is_handle(corners);
-    }
     if(m_surface.empty())
       return false;
     const std::size_t n = cycle.size();
@@ -258,6 +253,8 @@ private:
       centres[k] /= count[k];
       loop.add(centres[k] - centres[0]);
     }
+    if(m_parameters.is_handle)
+      return m_parameters.is_handle(centres);
     for(std::size_t p = 0; p < m_node_of.size(); ++p) {
       const std::size_t k = place[m_node_of[p]];
       if(k < n) {
