@@ -48,6 +48,22 @@ Skeleton to_skeleton(const Segment_graph& graph)
   return skeleton;
 }
 
+/// \tparam Skeleton a `CGAL::Curve_skeleton_3`.
+template <typename Skeleton>
+Segment_graph to_segment_graph(const Skeleton& skeleton)
+{
+  Segment_graph graph;
+  for(std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+    const auto& p = skeleton[v].point;
+    graph.vertices.emplace_back(p.x(), p.y(), p.z());
+    graph.radius.push_back(skeleton[v].radius);
+  }
+  const auto range = edges(skeleton);
+  for(auto e = range.first; e != range.second; ++e)
+    graph.edges.push_back({source(*e, skeleton), target(*e, skeleton)});
+  return graph;
+}
+
 }  // namespace support
 
 #endif  // CONSOLIDATION_SUPPORT_CGAL_CONVERSION_H
