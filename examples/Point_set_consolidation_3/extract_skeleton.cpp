@@ -1,6 +1,7 @@
 // Copyright (c) 2026  The Point_set_consolidation_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cgal_conversion.h"
 #include "command_line.h"
 #include "file_bytes.h"
 #include "json.h"
@@ -253,25 +254,11 @@ bool is_meso_output(const std::string& name)
   return ends_with(name, ".ply") || ends_with(name, ".obj") || ends_with(name, ".ma");
 }
 
-support::Segment_graph to_segment_graph(const Skeleton& skeleton)
-{
-  support::Segment_graph graph;
-  for(std::size_t v = 0; v < num_vertices(skeleton); ++v) {
-    const Point& p = skeleton[v].point;
-    graph.vertices.emplace_back(p.x(), p.y(), p.z());
-    graph.radius.push_back(skeleton[v].radius);
-  }
-  const auto range = edges(skeleton);
-  for(auto e = range.first; e != range.second; ++e)
-    graph.edges.push_back({source(*e, skeleton), target(*e, skeleton)});
-  return graph;
-}
-
 void write(const Run& run, const Skeleton& skeleton)
 {
   const std::string& name = run.options.output;
   if(!run.has_sheets() && ends_with(name, ".ply"))
-    support::write_segment_graph(name, to_segment_graph(skeleton));
+    support::write_segment_graph(name, support::to_segment_graph(skeleton));
   else
     support::replace_file(name, [&](const std::string& file) {
       return run.has_sheets() && is_meso_output(name)
@@ -320,7 +307,7 @@ void write_picture(const Run& run, const Skeleton& skeleton)
   panels[0].mesh = run.mesh;
   panels[1] = panels[0];
   panels[1].title = "skeleton";
-  panels[1].graph = to_segment_graph(skeleton);
+  panels[1].graph = support::to_segment_graph(skeleton);
   support::write_panels(run.options.picture, panels);
 }
 
