@@ -121,7 +121,7 @@ const std::vector<Function>& consolidations()
   static const std::vector<Function> functions = {
     {"deep_points_consolidate_point_set", Normals::OPTIONAL, false, deep_points},
     {"complete_point_set", Normals::OPTIONAL, true, completion},
-    {"complete_point_set (views)", Normals::NEEDED, true, completion_of_views},
+    {"complete_point_set (views)", Normals::OPTIONAL, true, completion_of_views},
     {"Deep_points_consolidation_3", Normals::OPTIONAL, false, stages},
     {"meso_skeleton_to_graph", Normals::OPTIONAL, false, meso_graph},
     {"iterative_consolidate_point_set", Normals::OPTIONAL, false, iterative}};

@@ -127,6 +127,7 @@ Scan_directions copy_scan_directions(const char* function, const PointRange& ran
       throw_invalid(function, "missed_rays needs view_direction_map or scanner_positions");
     return directions;
   }
+  directions.towards_scanner = with_usable_lengths(std::move(directions.towards_scanner));
   for(std::size_t i = 0; i < points.size(); ++i) {
     Vec3& d = directions.towards_scanner[i];
     const double length = d.norm();

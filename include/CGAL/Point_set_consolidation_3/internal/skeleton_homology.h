@@ -55,8 +55,15 @@ public:
     std::vector<std::vector<std::size_t> > basis;
     if(m_count == 0)
       return basis;
+    // every cycle that no triangles fill has an edge of a class other than zero
+    std::vector<char> may_be_root(m_graph.nodes.size(), 0);
+    for(std::size_t e = 0; e < m_graph.edges.size(); ++e)
+      if(!is_zero(m_classes[e]))
+        may_be_root[m_graph.edges[e][0]] = 1;
     std::map<Class, Candidate> shortest;  // of each class
     for(std::size_t root = 0; root < m_graph.nodes.size(); ++root) {
+      if(!may_be_root[root])
+        continue;
       const Paths paths = shortest_paths(root);
       for(std::size_t e = 0; e < m_graph.edges.size(); ++e) {
         const std::size_t a = m_graph.edges[e][0], b = m_graph.edges[e][1];
