@@ -11,6 +11,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
