@@ -423,7 +423,7 @@ Figure_result kinds(const std::string& data)
     if(name != "dumbbell")
       truths.emplace_back(name, normalized(shape_mesh(synthetic::united(parts), 120)));
   Figure_result figure;
-  Figure_table summary{"means over the models; tips: difference from the complete model's", 
+  Figure_table summary{"means over the models; tips: difference from the complete model's",
                        {"right topology", "of", "cycles off", "components too many", "tips off", "inside", "coverage",
                         "to medial axis", "seconds"}, {}};
   for(const std::size_t views : {1, 2, 3}) {
