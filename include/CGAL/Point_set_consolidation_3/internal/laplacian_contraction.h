@@ -24,6 +24,13 @@ namespace internal {
 
 constexpr double contraction_side = 1.6;
 
+/// The coordinates in which points of that box are contracted.
+inline Frame contraction_frame(const Bounding_box& box)
+{
+  const double side = box.sides().maxCoeff();
+  return {box.centre(), side > 0 ? side / contraction_side : 1};
+}
+
 struct Contraction_parameters {
   Laplacian_weights weights = Laplacian_weights::COTANGENT;
   double contraction_weight = 1;  ///< W_L^0 in units of its default 1 / (5 S^0)

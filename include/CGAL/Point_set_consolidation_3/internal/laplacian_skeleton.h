@@ -41,10 +41,7 @@ public:
     : m_execution(std::move(execution)), m_parameters(parameters), m_normals(normals)
   {
     const Bounding_box box = bounding_box(points);
-    m_frame.origin = box.centre();
-    const double side = box.sides().maxCoeff();
-    if(side > 0)
-      m_frame.unit = side / contraction_side;
+    m_frame = contraction_frame(box);
     for(const Vec3& p : points)
       m_points.push_back(m_frame.to_local(p));
     for(const Vec3& p : references)

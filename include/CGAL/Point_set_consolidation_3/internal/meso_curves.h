@@ -35,12 +35,7 @@ inline Points contracted_anchors(const Execution& execution, const Meso_shape& s
   rings.agreement.resize(kept);
   connect_triangles(shape.outer.size(), rings);
 
-  const Bounding_box box = bounding_box(shape.outer);
-  Frame frame;
-  frame.origin = box.centre();
-  const double side = box.sides().maxCoeff();
-  if(side > 0)
-    frame.unit = side / contraction_side;
+  const Frame frame = contraction_frame(bounding_box(shape.outer));
   Points start;
   for(const Vec3& anchor : shape.anchors)
     start.push_back(frame.to_local(anchor));
