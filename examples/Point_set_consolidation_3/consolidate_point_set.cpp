@@ -94,7 +94,7 @@ bool parse(Options& o, int argc, char** argv)
     .default_is("none");
   line.heading("Running");
   line.option("--threads", "N", o.threads, "number of threads").default_is("all");
-  line.flag("--quiet", o.quiet, "no progress bar, no report");
+  line.flag("-q,--quiet", o.quiet, "no progress bar, no report");
   return line.parse(argc, argv);
 }
 

@@ -360,17 +360,9 @@ private:
   }
 
   /// For each input point a direction on the outer side.
-  Points outer_sides() const
+  const Points& outer_sides() const
   {
-    using namespace Point_set_consolidation_3::internal;
-    if(!m_input.directions.empty())
-      return m_input.directions.towards_scanner;
-    const Nearest_neighbors tree(m_input.points);
-    Points sides(m_input.data.size());
-    parallel_for(m_execution, sides.size(), [&](std::size_t i) {
-      sides[i] = m_input.normals[tree.nearest(m_input.data[i]).index];
-    });
-    return sides;
+    return m_input.directions.empty() ? m_input.sides : m_input.directions.towards_scanner;
   }
 
   Point_3 world(const Vec3& local) const

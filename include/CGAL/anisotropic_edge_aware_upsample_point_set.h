@@ -38,8 +38,8 @@ namespace CGAL {
       \cgalParamDefault{`CGAL::Identity_property_map<geom_traits::Point_3>`}
     \cgalParamNEnd
     \cgalParamNBegin{normal_map}
-      \cgalParamDescription{normals; the given ones tell the sides if none of them is zero, otherwise sides are found by
-        propagation}
+      \cgalParamDescription{normals; the given ones tell the sides if none of them is zero, otherwise sides are found as in
+        Section \ref PSC3Orientation}
       \cgalParamType{a model of `ReadWritePropertyMap` with value type `geom_traits::Vector_3`}
     \cgalParamNEnd
     \cgalParamNBegin{sharpness_angle}

@@ -48,7 +48,7 @@ namespace CGAL {
     \cgalParamNBegin{normal_map}
       \cgalParamDescription{oriented normals; with `enhance_features(true)` only their sides are used}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
-      \cgalParamDefault{none: planes fitted to 18 neighbours, oriented by propagation}
+      \cgalParamDefault{none: planes fitted to 18 neighbours, oriented as in Section \ref PSC3Orientation}
     \cgalParamNEnd
     \cgalParamNBegin{select_percentage}
       \cgalParamDescription{percentage of points to keep, in (0, 100]}

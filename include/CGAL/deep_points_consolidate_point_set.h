@@ -42,7 +42,7 @@ namespace CGAL {
     \cgalParamNBegin{normal_map}
       \cgalParamDescription{rough normals; they only tell which side is outside}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
-      \cgalParamDefault{none: orientation by a minimum spanning tree of the consolidated points}
+      \cgalParamDefault{none: sides are found from the points, see Section \ref PSC3Orientation}
     \cgalParamNEnd
     \cgalParamNBegin{view_direction_map}
       \cgalParamDescription{directions from the points towards the scanner; they orient the normals and keep

@@ -57,7 +57,7 @@ namespace CGAL {
     \cgalParamNBegin{normal_map}
       \cgalParamDescription{oriented normals}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
-      \cgalParamDefault{none: planes fitted to 18 neighbours, oriented by propagation}
+      \cgalParamDefault{none: planes fitted to 18 neighbours, oriented as in Section \ref PSC3Orientation}
     \cgalParamNEnd
     \cgalParamNBegin{enhance_features}
       \cgalParamDescription{whether normals are optimised and points denoised: for noisy points of shapes with flat

@@ -77,7 +77,7 @@ namespace CGAL {
     \cgalParamNBegin{normal_map}
       \cgalParamDescription{oriented normals; they are what is written, unless they are only hints}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
-      \cgalParamDefault{none: normals of quadrics fitted to 18 neighbours, oriented by propagation over the points and
+      \cgalParamDefault{none: normals of quadrics fitted to 18 neighbours, oriented as in Section \ref PSC3Orientation and
         a vote of neighbours}
       \cgalParamExtra{Points with a zero normal get an estimated one.}
     \cgalParamNEnd

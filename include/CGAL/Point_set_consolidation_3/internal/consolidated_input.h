@@ -18,7 +18,7 @@ namespace internal {
 struct Consolidated_input {
   Frame frame;
   Points data;                 ///< C, in the caller's order
-  Points hints;                ///< rough normals of C; empty: none
+  Points sides;                ///< outward normals of C; empty if the scanner's directions tell
   Scan_directions directions;  ///< empty: none
   Points points;               ///< S
   Points normals;

@@ -9,16 +9,16 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INPUT_STAGE_H
 
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
+#include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
-#include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/view_estimation.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/jet_estimate_normals.h>
-#include <CGAL/mst_orient_normals.h>
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
@@ -109,41 +109,12 @@ Points jet_normals(const Points& points, unsigned int neighbors)
   return normals;
 }
 
-/// Orients normals by CGAL's minimum spanning tree, component by component.
-inline void orient_by_spanning_tree(const Points& points, Points& normals, unsigned int neighbors)
-{
-  std::vector<Oriented_tuple> left(points.size());
-  for(std::size_t i = 0; i < points.size(); ++i)
-    left[i] = Oriented_tuple(Core_kernel::Point_3(points[i].x(), points[i].y(), points[i].z()),
-                             Core_kernel::Vector_3(normals[i].x(), normals[i].y(), normals[i].z()),
-                             i);
-  while(!left.empty()) {
-    std::vector<std::size_t> component;
-    std::vector<Oriented_tuple>::iterator last = left.end();
-    if(left.size() > 3)
-      last = CGAL::mst_orient_normals(
-        left, (unsigned int)((std::min)(std::size_t(neighbors), left.size() - 1)),
-        CGAL::parameters::point_map(Tuple_point_map()).normal_map(Tuple_normal_map()));
-    if(last == left.begin())
-      last = left.end();
-    for(auto it = left.begin(); it != last; ++it) {
-      const std::size_t i = std::get<2>(*it);
-      const Core_kernel::Vector_3& n = std::get<1>(*it);
-      normals[i] = Vec3(n.x(), n.y(), n.z());
-      component.push_back(i);
-    }
-    orient_component_outwards(points, normals, component);
-    left.erase(left.begin(), last);
-  }
-}
-
 struct Input_parameters {
   std::size_t particles = 0;          ///< |S|; 0: by `default_particles`
   double neighbor_radius = 0;         ///< of WLOP, in the caller's unit; 0: twice the output's spacing
   unsigned int iterations = 35;       ///< of WLOP
   bool require_uniform_sampling = true;   ///< the paper's WLOP weighs by density
   unsigned int normal_neighbors = 18;
-  unsigned int orientation_neighbors = 12;
 };
 
 template <typename NP>
@@ -193,10 +164,22 @@ inline void remove_isolated(const Execution& execution, Points& points)
   points.swap(kept);
 }
 
-/// A scan that can have been taken from one side is taken for one from there, with parallel rays.
-inline void assume_single_view(const Execution& execution, Consolidated_input& input)
+/// Outward normals of the data: on the side of the rough ones in `hints`, or found. Particles are coarser than thin parts,
+/// where they get 20 times as many sides wrong.
+inline Points outward_normals(const Execution& execution, const Points& data, const Points& hints)
 {
-  const std::optional<Vec3> axis = View_estimation(execution, input.points, input.normals).run(!input.hints.empty());
+  Seen_part seen = Seen_part_estimation::estimate(execution, data, Points());
+  if(!hints.empty())
+    orient_by_hints(execution, data, seen.normals, data, hints);
+  else
+    orient_by_dipoles(execution, seen.points, seen.normals);
+  return seen.normals;
+}
+
+/// A scan that can have been taken from one side is taken for one from there, with parallel rays.
+inline void assume_single_view(const Execution& execution, bool is_oriented, Consolidated_input& input)
+{
+  const std::optional<Vec3> axis = View_estimation(execution, input.points, input.normals).run(is_oriented);
   if(!axis)
     return;
   input.directions.towards_scanner.assign(input.data.size(), *axis);
@@ -213,7 +196,6 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
                                      const Input_parameters& parameters)
 {
   Consolidated_input input;
-  input.hints = hints;
   input.directions = directions;
   const std::size_t count = parameters.particles > 0
                               ? (std::min)(parameters.particles, world.size())
@@ -252,14 +234,11 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
   input.normals = jet_normals<ConcurrencyTag>(input.points, parameters.normal_neighbors);
   stage.update(0.5);
   if(!directions.empty())
-    orient_by_hints(execution, input.points, input.normals, input.data,
-                    directions.towards_scanner);
+    orient_by_hints(execution, input.points, input.normals, input.data, directions.towards_scanner);
   else {
-    if(!hints.empty())
-      orient_by_hints(execution, input.points, input.normals, input.data, hints);
-    else
-      orient_by_spanning_tree(input.points, input.normals, parameters.orientation_neighbors);
-    assume_single_view(execution, input);
+    input.sides = outward_normals(execution, input.data, hints);
+    orient_by_hints(execution, input.points, input.normals, input.data, input.sides);
+    assume_single_view(execution, !hints.empty(), input);
   }
   return input;
 }

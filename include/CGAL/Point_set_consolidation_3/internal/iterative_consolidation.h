@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ITERATIVE_CONSOLIDATION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/confidence.h>
+#include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/particle_normals.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
@@ -136,7 +137,7 @@ private:
     if(!hints().empty())
       orient_by_hints(m_execution, m_particles, normals, m_input.points, hints());
     else
-      orient_by_propagation(m_particles, normals, table);
+      orient_by_dipoles(m_execution, m_particles, normals);
     stage.update(0.2);
     Points surface = m_particles;
     std::vector<std::size_t> centres(surface.size());
@@ -178,7 +179,7 @@ private:
     stage.update(0.5);
     const bool has_normals = !m_input.normals.empty() && !m_input.normals_are_hints;
     if(!has_normals && hints().empty()) {
-      orient_by_propagation(m_points, m_normals, m_nearest);
+      orient_by_dipoles(m_execution, m_points, m_normals);
       orient_by_vote(m_execution, m_points, m_normals, m_nearest, voting_passes);
     }
     else {

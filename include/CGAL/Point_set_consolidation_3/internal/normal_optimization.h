@@ -10,7 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
-#include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -195,7 +195,7 @@ inline Points estimated_normals(const Execution& execution, const Points& points
   parameters.plane_neighbors = 18;  // thin parts keep their two sides, signs need no more precision
   const Normal_optimization optimization(execution, points, parameters);
   Points normals = optimization.plane_normals();
-  orient_by_propagation(points, normals, nearest_table(execution, points, 12));
+  orient_by_dipoles(execution, points, normals);
   return normals;
 }
 

@@ -11,8 +11,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 
-#include <queue>
-
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -63,10 +61,13 @@ inline void orient_by_hints(const Execution& execution, const Points& points, Po
   normals.swap(oriented);
 }
 
-/// Flips a component's normals if the outermost points of most directions look inwards.
+/// Flips a component's normals if its outermost points in most directions look inwards.
 inline void orient_component_outwards(const Points& points, Points& normals,
                                       const std::vector<std::size_t>& component)
 {
+  constexpr std::size_t outermost_share = 100;  // one percent: single points of a noisy scan tell nothing
+  const std::size_t count = (component.size() + outermost_share - 1) / outermost_share;
+  std::vector<std::pair<double, std::size_t> > inwards(component.size());
   double vote = 0;
   for(int x = -1; x <= 1; ++x)
     for(int y = -1; y <= 1; ++y)
@@ -74,11 +75,13 @@ inline void orient_component_outwards(const Points& points, Points& normals,
         if(x == 0 && y == 0 && z == 0)
           continue;
         const Vec3 direction = Vec3(x, y, z).normalized();
-        std::size_t outermost = component.front();
-        for(const std::size_t i : component)
-          if(points[i].dot(direction) > points[outermost].dot(direction))
-            outermost = i;
-        vote += normals[outermost].dot(direction);
+        for(std::size_t k = 0; k < component.size(); ++k)
+          inwards[k] = {-points[component[k]].dot(direction), component[k]};
+        const auto end = inwards.begin() + std::ptrdiff_t(count);
+        std::nth_element(inwards.begin(), end - 1, inwards.end());
+        std::sort(inwards.begin(), end);  // sums in one order
+        for(auto it = inwards.begin(); it != end; ++it)
+          vote += normals[it->second].dot(direction);
       }
   if(vote < 0)
     for(const std::size_t i : component)
@@ -114,76 +117,6 @@ inline Nearest_table nearest_table(const Execution& execution, const Points& poi
       table.neighbors[slot++] = Index(i);
   });
   return table;
-}
-
-/// Orients normals by propagation along the edges of a nearest neighbour graph, cheapest first. The cost
-/// of an edge in direction d is 1 - |n . n'| + (|d . n| + |d . n'|) / 2: it is small along a smooth sheet and
-/// large across to an opposite one, whose normals may be parallel too. Each component is oriented
-/// outwards.
-inline void orient_by_propagation(const Points& points, Points& normals,
-                                  const Nearest_table& nearest)
-{
-  struct Edge {
-    double cost;
-    Index from, to;
-    bool operator<(const Edge& other) const  // the queue's top is the cheapest
-    {
-      return cost != other.cost ? cost > other.cost
-                                : to != other.to ? to > other.to : from > other.from;
-    }
-  };
-  const std::size_t n = points.size();
-
-  // the graph is made symmetric, else far points are never reached
-  std::vector<std::size_t> first(n + 1, 0);
-  for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t k = 0; k < nearest.k; ++k) {
-      ++first[i + 1];
-      ++first[nearest.row(i)[k] + 1];
-    }
-  for(std::size_t i = 0; i < n; ++i)
-    first[i + 1] += first[i];
-  std::vector<Index> adjacent(first[n]);
-  std::vector<std::size_t> slot(first.begin(), first.end() - 1);
-  for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t k = 0; k < nearest.k; ++k) {
-      const Index j = nearest.row(i)[k];
-      adjacent[slot[i]++] = j;
-      adjacent[slot[j]++] = Index(i);
-    }
-
-  std::vector<char> done(n, 0);
-  std::priority_queue<Edge> queue;
-  const auto push_edges = [&](std::size_t i) {
-    for(std::size_t s = first[i]; s < first[i + 1]; ++s) {
-      const Index j = adjacent[s];
-      if(done[j])
-        continue;
-      const Vec3 d = normalized_or(points[j] - points[i], Vec3::Zero());
-      const double cost = 1 - std::abs(normals[i].dot(normals[j])) +
-                          0.5 * (std::abs(d.dot(normals[i])) + std::abs(d.dot(normals[j])));
-      queue.push({cost, Index(i), j});
-    }
-  };
-  for(std::size_t seed = 0; seed < n; ++seed) {
-    if(done[seed])
-      continue;
-    std::vector<std::size_t> component(1, seed);
-    done[seed] = 1;
-    push_edges(seed);
-    while(!queue.empty()) {
-      const Edge edge = queue.top();
-      queue.pop();
-      if(done[edge.to])
-        continue;
-      done[edge.to] = 1;
-      component.push_back(edge.to);
-      if(normals[edge.from].dot(normals[edge.to]) < 0)
-        normals[edge.to] = -normals[edge.to];
-      push_edges(edge.to);
-    }
-    orient_component_outwards(points, normals, component);
-  }
 }
 
 /// Neighbours on one sheet whose normals point to different sides. Edges across thin parts, far off both

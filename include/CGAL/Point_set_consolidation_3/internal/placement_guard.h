@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLACEMENT_GUARD_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLACEMENT_GUARD_H
 
+#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
@@ -49,35 +50,6 @@ struct Guard_parameters {
   double least_accepted_share = 0.5;
 };
 
-/// Connected components, neighbours within `radius`: a label per point, in the order of their first points.
-inline std::vector<std::size_t> connected_components(const Points& points, double radius,
-                                                     std::size_t& number)
-{
-  const Sorted_grid grid(points, radius);
-  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::vector<std::size_t> label(points.size(), none);
-  number = 0;
-  for(std::size_t seed = 0; seed < points.size(); ++seed) {
-    if(label[seed] != none)
-      continue;
-    std::vector<std::size_t> stack(1, seed);
-    label[seed] = number;
-    while(!stack.empty()) {
-      const std::size_t i = stack.back();
-      stack.pop_back();
-      grid.for_each_neighbor(points[i], radius, [&](Index j, double) {
-        if(label[j] == none) {
-          label[j] = number;
-          stack.push_back(j);
-        }
-        return true;
-      });
-    }
-    ++number;
-  }
-  return label;
-}
-
 class Placement_guard {
 public:
   Placement_guard() = default;
@@ -104,43 +76,29 @@ public:
     std::vector<char> is_doubtful(points.size(), 0);
     if(!m_parameters.enabled || m_data == nullptr || points.empty())
       return is_doubtful;
-    struct Region {
-      double elevation = 0, reach = 0, cosine = 0;
-      Vec3 rim_normals = Vec3::Zero();
-      std::size_t rim_points = 0;
-    };
     std::vector<Neighbor> nearest(points.size());
     parallel_for(execution, points.size(),
                  [&](std::size_t i) { nearest[i] = m_tree->nearest(points[i]); });
-    std::size_t number = 0;
-    const std::vector<std::size_t> label = connected_components(points, radius, number);
-    std::vector<Region> regions(number);
-    for(std::size_t i = 0; i < points.size(); ++i) {
-      Region& region = regions[label[i]];
-      const Vec3& n = (*m_normals)[nearest[i].index];
-      const double distance = std::sqrt(nearest[i].squared_distance);
-      if(distance > beside * m_h)
-        region.elevation =
-          (std::max)(region.elevation,
-                     std::abs(n.dot(points[i] - (*m_data)[nearest[i].index])) / distance);
-      region.reach = (std::max)(region.reach, distance);
-      if(distance < rim * m_h) {
-        region.cosine += n.dot(normals[i]);
-        region.rim_normals += n;
-        ++region.rim_points;
+    for(std::vector<Index>& members : connected_components(points, radius)) {
+      std::sort(members.begin(), members.end());  // sums in the points' order
+      Region region;
+      for(const Index i : members) {
+        const Vec3& n = (*m_normals)[nearest[i].index];
+        const double distance = std::sqrt(nearest[i].squared_distance);
+        if(distance > beside * m_h)
+          region.elevation =
+            (std::max)(region.elevation,
+                       std::abs(n.dot(points[i] - (*m_data)[nearest[i].index])) / distance);
+        region.reach = (std::max)(region.reach, distance);
+        if(distance < rim * m_h) {
+          region.cosine += n.dot(normals[i]);
+          region.rim_normals += n;
+          ++region.rim_points;
+        }
       }
-    }
-    for(std::size_t i = 0; i < points.size(); ++i) {
-      const Region& region = regions[label[i]];
-      const bool is_small = region.reach <= m_parameters.small_reach * m_h;
-      const double least_cosine =
-        is_small ? m_parameters.least_small_rim_cosine : m_parameters.least_rim_cosine;
-      const bool is_wide = region.reach > m_parameters.wide_reach * m_h;
-      is_doubtful[i] =
-        region.elevation > m_parameters.largest_region_elevation ||
-        region.reach < m_parameters.least_reach * m_h ||
-        region.cosine < least_cosine * double(region.rim_points) ||
-        (!is_wide && region.rim_normals.norm() < m_parameters.least_rim_flatness * double(region.rim_points));
+      const char is_bad = is_doubtful_region(region);
+      for(const Index i : members)
+        is_doubtful[i] = is_bad;
     }
     const std::size_t accepted =
       std::size_t(std::count(is_doubtful.begin(), is_doubtful.end(), char(0)));
@@ -151,6 +109,25 @@ public:
 
 private:
   static constexpr double beside = 0.2;  ///< of h: on the data, where the elevation is noise
+
+  /// Added points that hang together, and the data beside them.
+  struct Region {
+    double elevation = 0, reach = 0, cosine = 0;
+    Vec3 rim_normals = Vec3::Zero();
+    std::size_t rim_points = 0;
+  };
+
+  bool is_doubtful_region(const Region& region) const
+  {
+    const bool is_small = region.reach <= m_parameters.small_reach * m_h;
+    const double least_cosine =
+      is_small ? m_parameters.least_small_rim_cosine : m_parameters.least_rim_cosine;
+    const bool is_wide = region.reach > m_parameters.wide_reach * m_h;
+    return region.elevation > m_parameters.largest_region_elevation ||
+           region.reach < m_parameters.least_reach * m_h ||
+           region.cosine < least_cosine * double(region.rim_points) ||
+           (!is_wide && region.rim_normals.norm() < m_parameters.least_rim_flatness * double(region.rim_points));
+  }
 
   bool is_seen_through(const Vec3& x) const
   {

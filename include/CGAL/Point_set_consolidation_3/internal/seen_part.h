@@ -32,7 +32,8 @@ class Seen_part_estimation {
   static constexpr double noisy_residual = 0.25;          ///< in sp; clean scans 0-0.06, 0.5 % noise 0.5
 
 public:
-  /// `side`: for each point a direction on the outer side (towards the scanner, or a rough normal).
+  /// `side`: for each point a direction on the outer side (towards the scanner, or a rough normal); empty: normals point
+  /// to any side.
   static Seen_part estimate(const Execution& execution, const Points& points, const Points& side)
   {
     Seen_part seen;
@@ -45,7 +46,7 @@ public:
       tree.find(points[i], fit_neighbors, neighbors);
       const Quadric_fit fit = fit_quadric(points, points[i], neighbors);
       residual[i] = fit.residual;
-      seen.normals[i] = oriented(fit.normal, side[i]);
+      seen.normals[i] = fit.normal;
       const std::size_t six = (std::min)(std::size_t(7), neighbors.size());
       for(std::size_t k = 1; k < six; ++k)
         spacing[i] += std::sqrt(neighbors[k].squared_distance) / double(six - 1);
@@ -59,16 +60,13 @@ public:
         tree.find(points[i], denoising_neighbors, neighbors);
         const Quadric_fit fit = fit_quadric(points, points[i], neighbors);
         seen.points[i] = fit.projection;
-        seen.normals[i] = oriented(fit.normal, side[i]);
+        seen.normals[i] = fit.normal;
       });
     }
+    for(std::size_t i = 0; i < side.size(); ++i)
+      if(seen.normals[i].dot(side[i]) < 0)
+        seen.normals[i] = -seen.normals[i];
     return seen;
-  }
-
-private:
-  static Vec3 oriented(const Vec3& normal, const Vec3& side)
-  {
-    return normal.dot(side) < 0 ? Vec3(-normal) : normal;
   }
 };
 
