@@ -25,6 +25,7 @@
 #include <CGAL/interpolatory_upsample_point_set.h>
 #include <CGAL/iterative_consolidate_point_set.h>
 #include <CGAL/mean_shift_remove_outliers.h>
+#include <CGAL/meso_skeleton_to_graph.h>
 #include <CGAL/property_map.h>
 #include <CGAL/repulse_along_apss.h>
 #include <CGAL/skeleton_driven_surface_reconstruction.h>
@@ -708,6 +709,28 @@ void surfaces()
   f.documented({"segment_methods", 0});
 }
 
+void meso_skeletons()
+{
+  Function f("meso_skeleton_to_graph", "meso_skeleton_to_graph");
+  const Oriented_points points = ring(1200, 4, 0.005, 0);
+  CGAL::Deep_points_consolidation_3<Kernel, Tag> consolidation(points, maps.number_of_output_points(500));
+  const auto numbers_of = [](const CGAL::Meso_skeleton_3<Kernel>& meso) { return numbers(meso.graph); };
+  f.check({{"sampling_radius", 0.1}, {"largest_merged_cycle", no_effect}, {"curves_only", 1}},
+          [&] {
+            CGAL::Meso_skeleton_3<Kernel> meso;
+            CGAL::meso_skeleton_to_graph(consolidation, meso);
+            return numbers_of(meso);
+          },
+          [&](Values v) {
+            CGAL::Meso_skeleton_3<Kernel> meso;
+            CGAL::meso_skeleton_to_graph(consolidation, meso,
+                                         params::sampling_radius(v["sampling_radius"])
+                                           .largest_merged_cycle(std::size_t(v["largest_merged_cycle"]))
+                                           .curves_only(v["curves_only"] != 0));
+            return numbers_of(meso);
+          });
+}
+
 // ---- names ----
 
 void names()
@@ -743,6 +766,7 @@ int main(int argc, char* argv[])
   features();
   segments();
   skeletons();
+  meso_skeletons();
   surfaces();
   std::cout << (failures == 0 ? "all documented defaults are those of the code\n" : "") << std::flush;
   return failures == 0 ? 0 : 1;
