@@ -114,6 +114,7 @@ for option in "--omega 0" "--omega 171" "--omega nan" "--sigma-p -1" "--sigma-q 
   # shellcheck disable=SC2086
   expect 1 "${option%% *}" consolidate_point_set good.xyz -o out/result.ply $option
 done
+expect 2 "radius is far too large" consolidate_point_set good.xyz -o out/result.ply --radius 1e6
 for option in "--samples 0" "--neighbors 1" "--weights nonsense" "--contraction-factor 0.5" "--threshold 0" \
               "--iterations 0" "--sampling-radius 2" "--sampling-radius nan"; do
   # shellcheck disable=SC2086

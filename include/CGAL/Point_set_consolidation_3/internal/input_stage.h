@@ -221,8 +221,11 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
   if(!(r > 0))
-    throw std::invalid_argument("deep_points_consolidate_point_set(): the consolidated points "
-                                "coincide: no spacing to work with");
+    throw std::invalid_argument(parameters.neighbor_radius > 0
+                                  ? "deep_points_consolidate_point_set(): neighbor_radius is far too large: WLOP "
+                                    "draws all points together"
+                                  : "deep_points_consolidate_point_set(): the consolidated points coincide: no "
+                                    "spacing to work with");
   input.frame.unit *= r;
   for(Vec3& p : input.points)
     p /= r;
