@@ -168,7 +168,11 @@ public:
       using namespace Point_set_consolidation_3::internal;
       {
         Stage stage(m_execution, "seen part", 0.1);
-        m_seen = Seen_part_estimation::estimate(m_execution, m_input.data, outer_sides());
+        m_seen = Seen_part_estimation::estimate(m_execution, m_input.data, m_input.sides);
+        constexpr std::size_t own = 1;  // on thin parts the others' directions are opposite
+        if(!m_input.directions.empty())
+          orient_by_hints(m_execution, m_input.data, m_seen.normals, m_input.data,
+                          m_input.directions.towards_scanner, own);
       }
       const double margin = m_seen.spacing + (m_seen.is_noisy ? 3 * m_seen.noise : 0);
       Free_space free_space;
@@ -357,12 +361,6 @@ private:
                              parameters, m_seen.points.size())
                     .run(stage);
     return true;
-  }
-
-  /// For each input point a direction on the outer side.
-  const Points& outer_sides() const
-  {
-    return m_input.directions.empty() ? m_input.sides : m_input.directions.towards_scanner;
   }
 
   Point_3 world(const Vec3& local) const

@@ -15,13 +15,13 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Orients normals like the mean hint of the nearest data. Hints may be rough normals or directions
+/// Orients normals like the mean hint of the `voters` nearest data. Hints may be rough normals or directions
 /// towards the scanner. Where these are nearly tangential they tell little: there a normal follows its
 /// neighbours on the same sheet.
 inline void orient_by_hints(const Execution& execution, const Points& points, Points& normals,
-                            const Points& data, const Points& hints)
+                            const Points& data, const Points& hints, std::size_t voters = 12)
 {
-  constexpr std::size_t voters = 12;
+  constexpr std::size_t followed = 12;
   constexpr double weak = 0.3;             // mean cosine of normal and hints
   constexpr double same_sheet = 0.5;       // cosine of normals, sine of the rise
   const Nearest_neighbors tree(data);
@@ -45,7 +45,7 @@ inline void orient_by_hints(const Execution& execution, const Points& points, Po
     if(strength[i] >= weak)
       return;
     std::vector<Neighbor> neighbors;
-    particle_tree.find(points[i], voters, neighbors);
+    particle_tree.find(points[i], followed, neighbors);
     double vote = strength[i];
     for(const Neighbor& neighbor : neighbors) {
       const std::size_t j = neighbor.index;
