@@ -8,9 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_NORMAL_OPTIMIZATION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_NORMAL_OPTIMIZATION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
-#include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 
 #include <CGAL/number_type_config.h>
 
