@@ -589,7 +589,7 @@ Figure_result table_1(const std::string& data)
         o.completed_spacing = 0;  // as many deep points as the paper has
       });
     double wlop = 0, deep = 0;
-    for(const support::Named_time& time : result.times) {
+    for(const auto& time : result.times) {
       const bool is_input = time.name == "wlop" || time.name == "normals";
       (is_input ? wlop : deep) += time.seconds;
     }

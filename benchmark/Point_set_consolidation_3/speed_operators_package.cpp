@@ -37,9 +37,7 @@ void query_sorted_grid(const Speed_input& input, Stopwatch& watch)
   Block_weights weights;
   for(std::size_t i = 0; i < input.points.size(); i += 20) {
     grid.for_each_neighbor_block(input.points[i], radius, [&](const Neighbor_block& block) {
-      auto column = weights.column(block.size);
-      column = (-16.0 / (radius * radius) * block.squared_distance()).exp();
-      sum += column.sum();
+      sum += weights.set_gaussian(16.0 / (radius * radius), block).sum();
     });
   }
   watch.stop();

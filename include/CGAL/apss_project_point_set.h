@@ -9,6 +9,7 @@
 #define CGAL_APSS_PROJECT_POINT_SET_H
 
 #include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
@@ -145,7 +146,7 @@ std::size_t apss_project_point_set(PointRange& points,
                                       apss_radius(function, pack, frame));
       projected = input;
       std::vector<char> moved(input.size(), 0);
-      parallel_for(execution, input.size(), [&](std::size_t i) {
+      parallel_for_places(execution, input, [&](std::size_t i) {
         if(!is_constrained.empty() && is_constrained[i])
           return;
         Vec3 x = surface.points()[i];

@@ -156,7 +156,11 @@ expect 2 "garbage_1.ply" reconstruct_surface good.xyz -o out/result.ply --method
 expect 0 "" segment_point_set good.xyz -o out/result.ply --quiet
 [ -s stderr.txt ] && complain "--quiet is not quiet"
 expect 0 "" extract_skeleton good.xyz -o out/result.ply
-expect 0 "" consolidate_point_set good.xyz -o out/result.ply --particles 60 --json out/report.json
+for method in "deep-points --particles 60" iterative anisotropic-wlop; do
+  # shellcheck disable=SC2086
+  expect 0 "" consolidate_point_set good.xyz -o out/result.ply --method $method --json out/report.json
+  grep -q '"iterations"' out/report.json || complain "--method $method: no stages in the report"
+done
 if [ -c /dev/full ]; then
   # The extension says the format: a link to the full disk.
   ln -s /dev/full full.ply

@@ -42,6 +42,7 @@ Consolidation_result consolidate_iteratively(const Scan_ranges& scan,
                     .geom_traits(Kernel())
                     .completed_output_iterator(std::back_inserter(is_new))
                     .confidence_output_iterator(std::back_inserter(confidence))
+                    .stage_times(std::ref(result.times))
                     .callback(reporting(progress));
   const auto run = [&](const auto& parameters) {
     CGAL::iterative_consolidate_point_set<Concurrency_tag>(scan.indices,
@@ -71,6 +72,7 @@ Consolidation_result consolidate_anisotropically(const Scan_ranges& scan,
   const auto np = params::point_map(CGAL::make_property_map(scan.points))
                     .geom_traits(Kernel())
                     .number_of_output_points(number_of_particles(o, scan.points.size()))
+                    .stage_times(std::ref(result.times))
                     .callback(reporting(progress));
   const auto run = [&](const auto& parameters) {
     CGAL::anisotropic_wlop_simplify_and_regularize_point_set<Concurrency_tag>(

@@ -6,6 +6,8 @@
 
 #include "types.h"
 
+#include <CGAL/Point_set_consolidation_3/options.h>
+
 #include <functional>
 #include <string>
 
@@ -32,12 +34,6 @@ struct Consolidation_options {
   bool no_closing = false;
 };
 
-struct Named_time {
-  std::string name;
-  double seconds;
-  std::size_t iterations;
-};
-
 struct Consolidation_result {
   Point_cloud consolidated;          ///< the method's own points
   Point_cloud completed;             ///< the caller's points, then the missing ones; may be empty
@@ -45,7 +41,7 @@ struct Consolidation_result {
   Segment_graph deep_points;         ///< outer and inner vertices, radius: length of the deep point
   Segment_graph inner;               ///< the meso-skeleton's points with radius
   std::vector<int> inner_labels;     ///< parallel: values of Meso_label
-  std::vector<Named_time> times;
+  std::vector<CGAL::Point_set_consolidation_3::Stage_time> times;
   double spacing = 0;                ///< of the consolidated points; 0: not computed
 };
 

@@ -131,8 +131,7 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
         collect_completed(consolidation, n, result);
       }
     }
-    for(const auto& time : consolidation.stage_times())
-      result.times.push_back({time.name, time.seconds, time.iterations});
+    result.times = consolidation.stage_times();
     result.spacing = consolidation.spacing();
   };
   with_scanner(scan, np, [&](const auto& parameters) {

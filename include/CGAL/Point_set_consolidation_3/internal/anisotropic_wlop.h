@@ -10,6 +10,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ANISOTROPIC_WLOP_H
 
 #include <CGAL/Point_set_consolidation_3/internal/feature_projection.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
@@ -103,7 +104,7 @@ private:
     }
     m_data_grid.for_each_neighbor_block(q, m_reach, [&](const Neighbor_block& block) {
       Block_weights weights;
-      weights.column(block.size) = (-m_theta_factor * block.squared_distance()).exp();
+      weights.set_gaussian(m_theta_factor, block);
       for(int k = 0; k < block.size; ++k)
         visit(std::size_t(block.index[k]), block.offset(k), weights[k]);
     });
@@ -113,7 +114,7 @@ private:
   void weigh_data()
   {
     m_density.assign(m_data.size(), 1.);
-    parallel_for(m_execution, m_data.size(), [&](std::size_t j) {
+    parallel_for_places(m_execution, m_data, [&](std::size_t j) {
       double sum = 1;
       for_each_datum(m_data[j], [&](std::size_t k, const Vec3& offset, double t) {
         if(k != j)
@@ -126,7 +127,7 @@ private:
   /// Equation (1).
   void project_first(Points& points) const
   {
-    parallel_for(m_execution, points.size(), [&](std::size_t i) {
+    parallel_for_places(m_execution, points, [&](std::size_t i) {
       Vec3 offsets = Vec3::Zero();
       double weight = 0;
       for_each_datum(points[i], [&](std::size_t j, const Vec3& offset, double t) {
@@ -146,7 +147,8 @@ private:
     parallel_for(m_execution, points.size(), [&](std::size_t i) {
       double sum = 0;
       grid.for_each_neighbor_block(points[i], m_reach, [&](const Neighbor_block& block) {
-        sum += (-m_theta_factor * block.squared_distance()).exp().sum();
+        Block_weights theta;
+        sum += theta.set_gaussian(m_theta_factor, block).sum();
       });
       weights[i] = sum;  // the point itself is the 1 of the formula
     });

@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/bilateral_weights.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
 namespace CGAL {
@@ -53,7 +54,7 @@ inline void project_bilaterally(Execution& execution, Stage& stage, Points& poin
     const Sorted_grid grid(points, parameters.radius);
     if(parameters.updates_normals) {
       Points next = normals;
-      parallel_for(execution, points.size(), [&](std::size_t i) {
+      parallel_for_places(execution, points, [&](std::size_t i) {
         if(stays(i))
           return;
         Vec3 sum = Vec3::Zero();
@@ -63,7 +64,7 @@ inline void project_bilaterally(Execution& execution, Stage& stage, Points& poin
       normals.swap(next);
     }
     Points next = points;
-    parallel_for(execution, points.size(), [&](std::size_t i) {
+    parallel_for_places(execution, points, [&](std::size_t i) {
       if(stays(i))
         return;
       double height = 0, total = 0;

@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/ball_union.h>
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
 #include <CGAL/Point_set_consolidation_3/internal/gap_selection.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/scalar_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/sinking.h>
@@ -278,7 +279,7 @@ private:
   void note_missed(const Bounding_box& box, const Scalar_grid& solid)
   {
     m_is_missed.resize(m_seen.points.size(), 0);
-    parallel_for(m_execution, m_seen.points.size(), [&](std::size_t j) {
+    parallel_for_places(m_execution, m_seen.points, [&](std::size_t j) {
       const Vec3 x = m_seen.points[j] - below_data * m_seen.normals[j];
       if(box.contains(x) && solid(x) > 0)
         m_is_missed[j] = 1;
@@ -294,7 +295,7 @@ private:
     const Nearest_neighbors particles(m_input.points);
     std::vector<Vec3> back(m_seen.points.size());
     std::vector<char> is_open(m_seen.points.size(), 0);
-    parallel_for(m_execution, m_seen.points.size(), [&](std::size_t j) {
+    parallel_for_places(m_execution, m_seen.points, [&](std::size_t j) {
       const Vec3 &x = m_seen.points[j], &n = m_seen.normals[j];
       const double radius = m_balls.radius[particles.nearest(x).index];
       if(!m_is_missed[j] && radius > thin_part)

@@ -11,6 +11,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
@@ -66,10 +67,11 @@ inline std::vector<double> representativeness(const Execution& execution, const 
   const Sorted_grid grid(points, cutoff * h);
   std::vector<double> density(points.size());
   const double factor = 16 / (h * h);
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     double sum = 0;
     grid.for_each_neighbor_block(points[i], cutoff * h, [&](const Neighbor_block& block) {
-      sum += (-factor * block.squared_distance()).exp().sum();
+      Block_weights theta;
+      sum += theta.set_gaussian(factor, block).sum();
     });
     density[i] = sum;  // the point itself is the 1 of the formula
   });

@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FREE_SPACE_H
 
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 namespace CGAL {
@@ -157,7 +158,7 @@ private:
     }
     const Nearest_neighbors tree(flat);
     std::vector<double> sixth(points.size());
-    parallel_for(execution, points.size(), [&](std::size_t i) {
+    parallel_for_places(execution, flat, [&](std::size_t i) {
       std::vector<Neighbor> neighbors;
       tree.find(flat[i], 7, neighbors);
       sixth[i] = std::sqrt(neighbors.back().squared_distance);

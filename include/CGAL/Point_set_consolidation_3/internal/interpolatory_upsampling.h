@@ -94,7 +94,10 @@ private:
   {
     const Sorted_grid grid(points, first_radius * m_parameters.least_distance);
     std::vector<Points> found(centres.size()), found_normals(centres.size());
-    parallel_for(m_execution, centres.size(), [&](std::size_t c) {
+    Points places;
+    for(const std::size_t c : centres)
+      places.push_back(points[c]);
+    parallel_for_places(m_execution, places, [&](std::size_t c) {
       refine(grid, points, normals, centres[c], found[c], found_normals[c]);
     });
     Candidates candidates;

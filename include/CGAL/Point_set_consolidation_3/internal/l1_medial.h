@@ -9,6 +9,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_H
 
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/recentring.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
@@ -103,7 +104,7 @@ private:
   {
     const Nearest_neighbors tree(m_points);
     m_area.assign(m_points.size(), 1.);
-    parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
+    parallel_for_places(m_execution, m_points, [&](std::size_t i) {
       std::vector<Neighbor> near;
       tree.find(m_points[i], density_neighbors + 1, near);
       m_area[i] = (std::max)(near.back().squared_distance, tiny_length);
@@ -145,9 +146,8 @@ private:
       double weight = 0;
       data.for_each_neighbor_block(m, cutoff * h, [&](const Neighbor_block& block) {
         Block_weights weights;
-        auto w = weights.column(block.size);
-        w = (-factor * block.squared_distance()).exp() /
-            block.squared_distance().max(least * least).sqrt();
+        auto w = weights.set_gaussian(factor, block);
+        w /= block.squared_distance().max(least * least).sqrt();
         for(int k = 0; k < block.size; ++k)
           w[k] *= m_area[block.index[k]];
         weight += w.sum();

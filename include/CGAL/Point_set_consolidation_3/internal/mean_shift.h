@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MEAN_SHIFT_H
 
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -31,7 +32,7 @@ inline std::vector<char> mean_shift_outliers(const Execution& execution, const P
   if(points.size() <= parameters.neighbors)
     return is_outlier;
   const Nearest_neighbors tree(points);
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> K;
     Vec3 shifted = points[i];
     for(std::size_t step = 0; step < parameters.iterations; ++step) {

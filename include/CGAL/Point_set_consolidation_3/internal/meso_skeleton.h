@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
 namespace CGAL {
@@ -59,7 +60,7 @@ public:
     for(std::size_t t = 0; t < m_parameters.iterations; ++t) {
       const Sorted_grid grid(m_result.points, m_parameters.collision_radius);
       Points next(m_result.points.size());
-      parallel_for(m_execution, next.size(), [&](std::size_t i) {
+      parallel_for_places(m_execution, m_result.points, [&](std::size_t i) {
         m_result.ellipsoids[i] = neighborhood(grid, i);
         next[i] = moved(grid, i);
       });
@@ -123,18 +124,15 @@ private:
     m_anchor_grid.for_each_ellipsoid_block(q, A, support, half_extents,
                                            [&](const Neighbor_block& block) {
       Block_weights weights;
-      auto w = weights.column(block.size);
-      w = (-block.squared_distance()).exp() /
-          (block.x().square() + block.y().square() + block.z().square())
-            .max(least_distance * least_distance).sqrt();
+      weights.set_gaussian(1, block) /=
+        (block.x().square() + block.y().square() + block.z().square())
+          .max(least_distance * least_distance).sqrt();
       median.add(block, weights, i);
     });
     grid.for_each_ellipsoid_block(q, A, support, half_extents, [&](const Neighbor_block& block) {
       Block_weights weights;
-      auto w = weights.column(block.size);
-      const auto d = block.squared_distance();
-      const auto clamped = d.max(least_metric * least_metric);
-      w = (-d).exp() / (clamped.square() * clamped.sqrt());
+      const auto clamped = block.squared_distance().max(least_metric * least_metric);
+      weights.set_gaussian(1, block) /= clamped.square() * clamped.sqrt();
       repulsion.add(block, weights, i);
     });
 

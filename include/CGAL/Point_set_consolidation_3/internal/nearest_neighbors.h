@@ -8,8 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_NEAREST_NEIGHBORS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_NEAREST_NEIGHBORS_H
 
-#include <CGAL/Point_set_consolidation_3/internal/execution.h>
-#include <CGAL/Point_set_consolidation_3/internal/points.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Euclidean_distance.h>
@@ -98,7 +97,7 @@ inline std::vector<double> neighbor_distances(const Execution& execution,
                                               std::size_t k)
 {
   std::vector<double> distances(points.size(), 0.);
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> neighbors;
     tree.find(points[i], k + 1, neighbors);  // the point itself is the first
     for(std::size_t j = 1; j < neighbors.size(); ++j)

@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_NEIGHBOR_LISTS_H
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
 namespace CGAL {
@@ -32,7 +33,9 @@ inline Neighbor_lists make_neighbor_lists(const Execution& execution, const Sort
   const std::size_t n = points.size();
   Neighbor_lists lists;
   lists.first.assign(n + 1, 0);
-  parallel_for(execution, n, [&](std::size_t i) {
+  const std::vector<Index> order = place_order(points);
+  parallel_for(execution, n, [&](std::size_t k) {
+    const std::size_t i = order[k];
     std::size_t count = 0;
     grid.for_each_neighbor(points[i], radius, [&](Index, double) { return ++count != 0; });
     lists.first[i + 1] = count;
@@ -40,7 +43,8 @@ inline Neighbor_lists make_neighbor_lists(const Execution& execution, const Sort
   for(std::size_t i = 0; i < n; ++i)
     lists.first[i + 1] += lists.first[i];
   lists.neighbors.resize(lists.first[n]);
-  parallel_for(execution, n, [&](std::size_t i) {
+  parallel_for(execution, n, [&](std::size_t k) {
+    const std::size_t i = order[k];
     std::size_t slot = lists.first[i];
     grid.for_each_neighbor(points[i], radius, [&](Index j, double) {
       lists.neighbors[slot++] = j;

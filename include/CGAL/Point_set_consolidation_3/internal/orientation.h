@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -26,7 +27,7 @@ inline void orient_by_hints(const Execution& execution, const Points& points, Po
   constexpr double same_sheet = 0.5;       // cosine of normals, sine of the rise
   const Nearest_neighbors tree(data);
   std::vector<double> strength(points.size());
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> neighbors;
     tree.find(points[i], voters, neighbors);
     double vote = 0, length = 0;
@@ -105,7 +106,7 @@ inline Nearest_table nearest_table(const Execution& execution, const Points& poi
   table.k = (std::min)(k, points.empty() ? 0 : points.size() - 1);
   table.neighbors.resize(points.size() * table.k);
   const Nearest_neighbors tree(points);
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> found;
     tree.find(points[i], table.k + 1, found);
     std::size_t slot = i * table.k;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 
 namespace CGAL {
@@ -152,22 +153,22 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
     return found;
   };
   std::vector<double> sparsity(data.size(), 0.);
-  parallel_for(execution, data.size(), [&](std::size_t i) {
+  parallel_for_places(execution, data, [&](std::size_t i) {
     for(const Neighbor& neighbor : neighbors_of(i, data[i], sparsity_neighbors))
       sparsity[i] += std::sqrt(neighbor.squared_distance);
   });
   // how dense the data is, the neighbours of the foot tell: those of the point may be outliers themselves
   const auto is_off = [&](std::size_t i, const Vec3& place, bool tests_sparsity) {
     const std::vector<Neighbor> found = neighbors_of(i, place, fitted_neighbors);
-    Robust_height quadric(normals[i], found.size());
     std::vector<double> sparsities;
-    for(const Neighbor& neighbor : found) {
-      quadric.add(points[neighbor.index] - feet[i], distance[kept[neighbor.index]]);
+    for(const Neighbor& neighbor : found)
       sparsities.push_back(sparsity[kept[neighbor.index]]);
-    }
     const double relative_sparsity = sparsity[i] / median(std::move(sparsities));
     if(tests_sparsity && relative_sparsity <= (std::min)(parameters.near_sparsity, parameters.clear_sparsity))
       return false;
+    Robust_height quadric(normals[i], found.size());
+    for(const Neighbor& neighbor : found)
+      quadric.add(points[neighbor.index] - feet[i], distance[kept[neighbor.index]]);
     if(!quadric.fit(least_scale * limit))
       return false;
     const double off = quadric.distance(data[i] - feet[i]);
@@ -176,7 +177,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
            (!tests_sparsity ||
             relative_sparsity > (is_clear ? parameters.clear_sparsity : parameters.near_sparsity));
   };
-  parallel_for(execution, data.size(), [&](std::size_t i) {
+  parallel_for_places(execution, data, [&](std::size_t i) {
     if(!is_outlier[i] && distance[i] > suspicious * limit)
       is_outlier[i] = is_off(i, feet[i], true) && is_off(i, data[i], false);
   });
@@ -196,7 +197,7 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
   const Nearest_neighbors tree(surface);
   std::vector<double> distance(data.size());  // mean, from the tangent planes
   Points feet = data, normals(data.size());   // on the particles' surface
-  parallel_for(execution, data.size(), [&](std::size_t i) {
+  parallel_for_places(execution, data, [&](std::size_t i) {
     std::vector<Neighbor> found;
     tree.find(data[i], planes, found);
     const Vec3& side = surface_normals[found.front().index];
@@ -221,8 +222,14 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
     // without those found before, which hide others and spoil the fits
     constexpr int passes = 3;
     const std::vector<char> is_far = is_outlier;
-    for(int pass = 0; pass < passes; ++pass)
-      is_outlier = near_outliers(execution, data, feet, normals, distance, is_far, is_outlier, parameters);
+    for(int pass = 0; pass < passes; ++pass) {
+      std::vector<char> found =
+        near_outliers(execution, data, feet, normals, distance, is_far, is_outlier, parameters);
+      const bool is_settled = found == is_outlier;
+      is_outlier.swap(found);
+      if(is_settled)
+        break;
+    }
   }
   const std::size_t flagged =
     std::size_t(std::count(is_outlier.begin(), is_outlier.end(), char(1)));

@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
@@ -25,7 +26,7 @@ inline Points table_normals(const Execution& execution, const Points& points,
 {
   constexpr std::size_t fitted_neighbors = 18;
   Points normals(points.size(), Vec3::UnitZ());
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> neighbors(1, Neighbor{Index(i), 0.});
     for(std::size_t k = 0; k < (std::min)(nearest.k, fitted_neighbors); ++k) {
       const Index j = nearest.row(i)[k];

@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_REPULSION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
 namespace CGAL {
@@ -61,11 +62,11 @@ public:
              const std::vector<char>& is_static) const
   {
     std::vector<char> stays(particles.size(), 0);
-    parallel_for(m_execution, particles.size(), [&](std::size_t i) {
+    parallel_for_places(m_execution, particles, [&](std::size_t i) {
       stays[i] = (!is_static.empty() && is_static[i]) || !is_smooth(particles[i], normals[i]);
     });
     std::vector<std::size_t> moving;
-    for(std::size_t i = 0; i < particles.size(); ++i)
+    for(const Index i : place_order(particles))
       if(!stays[i])
         moving.push_back(i);
     if(moving.empty())

@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SEEN_PART_H
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 
 namespace CGAL {
@@ -41,7 +42,7 @@ public:
     seen.normals.resize(points.size());
     const Nearest_neighbors tree(points);
     std::vector<double> residual(points.size()), spacing(points.size());
-    parallel_for(execution, points.size(), [&](std::size_t i) {
+    parallel_for_places(execution, points, [&](std::size_t i) {
       std::vector<Neighbor> neighbors;
       tree.find(points[i], fit_neighbors, neighbors);
       const Quadric_fit fit = fit_quadric(points, points[i], neighbors);
@@ -55,7 +56,7 @@ public:
     seen.spacing = median(spacing);
     seen.is_noisy = seen.noise > noisy_residual * seen.spacing;
     if(seen.is_noisy) {
-      parallel_for(execution, points.size(), [&](std::size_t i) {
+      parallel_for_places(execution, points, [&](std::size_t i) {
         std::vector<Neighbor> neighbors;
         tree.find(points[i], denoising_neighbors, neighbors);
         const Quadric_fit fit = fit_quadric(points, points[i], neighbors);

@@ -8,43 +8,13 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SORTED_GRID_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SORTED_GRID_H
 
-#include <CGAL/Point_set_consolidation_3/internal/points.h>
+#include <CGAL/Point_set_consolidation_3/internal/neighbor_block.h>
 
-#include <cstring>
 #include <limits>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
-
-/// The neighbours of a query, a block at a time, as aligned columns for vectorised arithmetic.
-/// `dx, dy, dz` point from the query to the neighbour; `d2` is the squared length in the query's metric.
-struct Neighbor_block {
-  static constexpr int capacity = 512;  // 18 KB: stays in the first-level cache
-  using Column = Eigen::Map<Eigen::Array<double, Eigen::Dynamic, 1>, Eigen::Aligned64>;
-  using Const_column = Eigen::Map<const Eigen::Array<double, Eigen::Dynamic, 1>, Eigen::Aligned64>;
-
-  int size = 0;
-  alignas(64) double dx[capacity];
-  alignas(64) double dy[capacity];
-  alignas(64) double dz[capacity];
-  alignas(64) double d2[capacity];
-  alignas(64) Index index[capacity];
-
-  Const_column x() const { return Const_column(dx, size); }
-  Const_column y() const { return Const_column(dy, size); }
-  Const_column z() const { return Const_column(dz, size); }
-  Const_column squared_distance() const { return Const_column(d2, size); }
-  Vec3 offset(int k) const { return Vec3(dx[k], dy[k], dz[k]); }
-};
-
-/// A column of weights beside a block.
-struct Block_weights {
-  alignas(64) double values[Neighbor_block::capacity];
-
-  Neighbor_block::Column column(int size) { return Neighbor_block::Column(values, size); }
-  double& operator[](int k) { return values[k]; }
-};
 
 /// Points sorted into cells, for queries of all neighbours within a radius: the only structure for
 /// fixed-radius neighbourhoods of the package. Building is a stable counting sort (10-35 ns per
@@ -62,6 +32,9 @@ public:
 
   std::size_t size() const { return m_x.size(); }
   double cell_size() const { return m_cell_size; }
+
+  /// The points' indices, cell by cell.
+  const std::vector<Index>& order() const { return m_index; }
 
   /// Calls `body(const Neighbor_block&)` with all points p, |p - query| <= radius.
   template <typename Body>

@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
@@ -94,7 +95,7 @@ public:
       survey(grid, t > 0);
       const double repulsion = repulsion_at(t, last, cooling);
       Points next = m_result.points;
-      parallel_for(m_execution, n, [&](std::size_t i) {
+      parallel_for_places(m_execution, m_result.points, [&](std::size_t i) {
         if(moves(i))
           next[i] = moved(grid, i, repulsion);
       });
@@ -158,7 +159,7 @@ private:
     const double dense =
       (std::max)(completed_density, full_density * median(m_result.data_density));
     Points next = m_result.normals;
-    parallel_for(m_execution, next.size(), [&](std::size_t i) {
+    parallel_for_places(m_execution, m_result.points, [&](std::size_t i) {
       if(!moves(i))
         return;
       const Vec3& p = m_result.points[i];
@@ -219,11 +220,9 @@ private:
     Data_sums sums;
     m_data_grid.for_each_neighbor_block(p, theta_support, [&](const Neighbor_block& block) {
       Block_weights weights;
-      auto w = weights.column(block.size);
-      const auto d2 = block.squared_distance();
-      w = (-d2).exp();
+      auto w = weights.set_gaussian(1, block);
       sums.density += w.sum();
-      w /= d2.max(least_distance * least_distance).sqrt();
+      w /= block.squared_distance().max(least_distance * least_distance).sqrt();
       sums.attraction += w.sum();
       sums.offsets += Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
     });
@@ -244,16 +243,16 @@ private:
     grid.for_each_neighbor_block(m_result.points[i], radius, [&](const Neighbor_block& block) {
       Block_weights weights, lengths;
       int itself = -1;
+      auto w = weights.set_gaussian(1, block);
       for(int k = 0; k < block.size; ++k) {
         const std::size_t j = block.index[k];
-        weights[k] = m_result.normals[j].dot(n) >= 0;
+        if(m_result.normals[j].dot(n) < 0)
+          weights[k] = 0;
         lengths[k] = m_length[j];
         if(j == i)
           itself = k;
       }
-      auto w = weights.column(block.size);
       const auto d2 = block.squared_distance();
-      w *= (-d2).exp();
       sums.length += (w * lengths.column(block.size)).sum();
       sums.length_weight += w.sum();
       if(itself >= 0)

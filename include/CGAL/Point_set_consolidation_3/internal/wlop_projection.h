@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_WLOP_PROJECTION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
 namespace CGAL {
@@ -31,7 +32,7 @@ struct Wlop_parameters {
 /// neighbours change nothing on even data and worsen uneven data.
 struct Wlop_kernel {
   explicit Wlop_kernel(double h)
-    : reach(h / 2), factor(-16 / (h * h)), least_squared_distance(0.05 * h * 0.05 * h) {}
+    : reach(h / 2), factor(16 / (h * h)), least_squared_distance(0.05 * h * 0.05 * h) {}
 
   double reach;
   double factor;
@@ -40,12 +41,12 @@ struct Wlop_kernel {
 
   void theta(const Neighbor_block& block, Block_weights& weights) const
   {
-    weights.column(block.size) = (factor * block.squared_distance()).exp();
+    weights.set_gaussian(factor, block);
   }
   void theta_by_distance(const Neighbor_block& block, Block_weights& weights) const
   {
-    const auto d2 = block.squared_distance();
-    weights.column(block.size) = (factor * d2).exp() / d2.max(least_squared_distance).sqrt();
+    weights.set_gaussian(factor, block) /=
+      block.squared_distance().max(least_squared_distance).sqrt();
   }
 };
 
@@ -72,7 +73,7 @@ inline std::vector<double> wlop_densities(const Execution& execution, const Sort
                                           const Points& points, const Wlop_kernel& kernel)
 {
   std::vector<double> densities(points.size());
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     densities[i] = wlop_density(grid, points[i], kernel);
   });
   return densities;
@@ -85,7 +86,7 @@ inline std::vector<double> wlop_densities_near(const Execution& execution, const
 {
   const Sorted_grid place_grid(places, reach);
   std::vector<double> densities(points.size(), 1.);
-  parallel_for(execution, points.size(), [&](std::size_t i) {
+  parallel_for_places(execution, points, [&](std::size_t i) {
     bool is_used = false;
     place_grid.for_each_neighbor(points[i], reach, [&](Index, double) {
       is_used = true;
@@ -150,7 +151,7 @@ public:
   double run(Stage& stage, Points& particles, const std::vector<char>& is_static) const
   {
     std::vector<std::size_t> moving;
-    for(std::size_t i = 0; i < particles.size(); ++i)
+    for(const Index i : place_order(particles))
       if(is_static.empty() || !is_static[i])
         moving.push_back(i);
     double mean_move = 0;
