@@ -37,6 +37,9 @@ namespace CGAL {
   Lengths are in units of the spacing r of the consolidated points (equation (1)) unless said otherwise, so
   that results do not depend on the unit or the place of the input.
 
+  Complexity of each stage: linear in the number of input points and of deep points for given densities; see
+  `deep_points_consolidate_point_set()` for times.
+
   \tparam Traits a model of `Kernel`, floating point coordinates.
   \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
 */
@@ -168,11 +171,11 @@ public:
       using namespace Point_set_consolidation_3::internal;
       {
         Stage stage(m_execution, "seen part", 0.1);
-        m_seen = Seen_part_estimation::estimate(m_execution, m_input.data, m_input.sides);
-        constexpr std::size_t own = 1;  // on thin parts the others' directions are opposite
+        if(m_seen.points.empty())  // it is kept when a call is cancelled
+          m_seen = m_input.seen.points.empty() ? Seen_part_estimation::estimate(m_execution, m_input.data)
+                                               : std::move(m_input.seen);
         if(!m_input.directions.empty())
-          orient_by_hints(m_execution, m_input.data, m_seen.normals, m_input.data,
-                          m_input.directions.towards_scanner, own);
+          orient_to_scanner(m_execution, m_input.data, m_seen.normals, m_input.directions.towards_scanner);
       }
       const double margin = m_seen.spacing + (m_seen.is_noisy ? 3 * m_seen.noise : 0);
       Free_space free_space;

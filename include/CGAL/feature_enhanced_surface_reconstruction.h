@@ -37,6 +37,9 @@ namespace CGAL {
   its topology: handles of the surface that it does not have are removed, the weakest first. Of those that an extracted
   skeleton does not have, only the ones are removed whose bridge or tunnel is thinner than two cells.
 
+  Complexity: that of `extract_laplacian_contraction_skeleton()` of at most 5000 samples, \f$O(n \log n)\f$ for normals and
+  segments, and \f$O(a R^2)\f$ for the field, as for `skeleton_driven_surface_reconstruction()`.
+
   The result is the same, bit for bit, for any `ConcurrencyTag` and number of threads.
 
   \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.

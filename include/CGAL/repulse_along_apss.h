@@ -29,6 +29,9 @@ namespace CGAL {
   fitted sphere's by more than 0.4 in the mean, stay. `printed_values(true)` restores the first, the
   third and the fourth.
 
+  Complexity: for each step, the number of particles times that of those within \f$h\f$ of one, twice for each
+  projection and once for the repulsion.
+
   \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. The result is the same,
   bit for bit, for any of them and any number of threads.
   \tparam PointRange a model of `Range` whose iterator is a `ForwardIterator`.

@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONSOLIDATED_INPUT_H
 
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
+#include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 namespace CGAL {
@@ -18,7 +19,7 @@ namespace internal {
 struct Consolidated_input {
   Frame frame;
   Points data;                 ///< C, in the caller's order
-  Points sides;                ///< outward normals of C; empty if the scanner's directions tell
+  Seen_part seen;              ///< C with outward normals; empty if the scanner's directions tell
   Scan_directions directions;  ///< empty: none
   Points points;               ///< S
   Points normals;

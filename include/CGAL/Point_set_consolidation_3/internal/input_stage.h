@@ -164,16 +164,16 @@ inline void remove_isolated(const Execution& execution, Points& points)
   points.swap(kept);
 }
 
-/// Outward normals of the data: on the side of the rough ones in `hints`, or found. Particles are coarser than thin parts,
-/// where they get 20 times as many sides wrong.
-inline Points outward_normals(const Execution& execution, const Points& data, const Points& hints)
+/// The data with outward normals: on the side of the rough ones in `hints`, or found. Particles are coarser than thin
+/// parts, where they get 20 times as many sides wrong.
+inline Seen_part oriented_data(const Execution& execution, const Points& data, const Points& hints)
 {
-  Seen_part seen = Seen_part_estimation::estimate(execution, data, Points());
+  Seen_part seen = Seen_part_estimation::estimate(execution, data);
   if(!hints.empty())
     orient_by_hints(execution, data, seen.normals, data, hints);
   else
     orient_by_dipoles(execution, seen.points, seen.normals);
-  return seen.normals;
+  return seen;
 }
 
 /// A scan that can have been taken from one side is taken for one from there, with parallel rays.
@@ -239,8 +239,8 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
   if(!directions.empty())
     orient_by_hints(execution, input.points, input.normals, input.data, directions.towards_scanner);
   else {
-    input.sides = outward_normals(execution, input.data, hints);
-    orient_by_hints(execution, input.points, input.normals, input.data, input.sides);
+    input.seen = oriented_data(execution, input.data, hints);
+    orient_by_hints(execution, input.points, input.normals, input.data, input.seen.normals);
     assume_single_view(execution, !hints.empty(), input);
   }
   return input;

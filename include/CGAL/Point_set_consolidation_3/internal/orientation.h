@@ -16,15 +16,42 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Orients normals like the mean hint of the `voters` nearest data. Hints may be rough normals or directions
-/// towards the scanner. Where these are nearly tangential they tell little: there a normal follows its
-/// neighbours on the same sheet.
-inline void orient_by_hints(const Execution& execution, const Points& points, Points& normals,
-                            const Points& data, const Points& hints, std::size_t voters = 12)
+/// Normals whose `strength`, the mean cosine with what told their side, is small follow their neighbours on the
+/// same sheet: hints that are nearly tangential tell little.
+inline void follow_neighbors_where_weak(const Execution& execution, const Points& points, Points& normals,
+                                        const std::vector<double>& strength)
 {
   constexpr std::size_t followed = 12;
-  constexpr double weak = 0.3;             // mean cosine of normal and hints
+  constexpr double weak = 0.3;
   constexpr double same_sheet = 0.5;       // cosine of normals, sine of the rise
+  const Nearest_neighbors tree(points);
+  Points oriented = normals;
+  parallel_for_places(execution, points, [&](std::size_t i) {
+    if(strength[i] >= weak)
+      return;
+    std::vector<Neighbor> neighbors;
+    tree.find(points[i], followed, neighbors);
+    double vote = strength[i];
+    for(const Neighbor& neighbor : neighbors) {
+      const std::size_t j = neighbor.index;
+      const double cosine = normals[i].dot(normals[j]);
+      const double rise = std::abs((points[j] - points[i]).dot(normals[i]));
+      if(j != i && std::abs(cosine) > same_sheet &&
+         rise < same_sheet * std::sqrt(neighbor.squared_distance))
+        vote += strength[j] * cosine;
+    }
+    if(vote < 0)
+      oriented[i] = -normals[i];
+  });
+  normals.swap(oriented);
+}
+
+/// Orients normals like the mean hint of the nearest data. Hints may be rough normals or directions towards the
+/// scanner.
+inline void orient_by_hints(const Execution& execution, const Points& points, Points& normals,
+                            const Points& data, const Points& hints)
+{
+  constexpr std::size_t voters = 12;
   const Nearest_neighbors tree(data);
   std::vector<double> strength(points.size());
   parallel_for_places(execution, points, [&](std::size_t i) {
@@ -39,27 +66,22 @@ inline void orient_by_hints(const Execution& execution, const Points& points, Po
       normals[i] = -normals[i];
     strength[i] = length > 0 ? std::abs(vote) / length : 0;
   });
+  follow_neighbors_where_weak(execution, points, normals, strength);
+}
 
-  const Nearest_neighbors particle_tree(points);
-  Points oriented = normals;
-  parallel_for(execution, points.size(), [&](std::size_t i) {
-    if(strength[i] >= weak)
-      return;
-    std::vector<Neighbor> neighbors;
-    particle_tree.find(points[i], followed, neighbors);
-    double vote = strength[i];
-    for(const Neighbor& neighbor : neighbors) {
-      const std::size_t j = neighbor.index;
-      const double cosine = normals[i].dot(normals[j]);
-      const double rise = std::abs((points[j] - points[i]).dot(normals[i]));
-      if(j != i && std::abs(cosine) > same_sheet &&
-         rise < same_sheet * std::sqrt(neighbor.squared_distance))
-        vote += strength[j] * cosine;
-    }
+/// Orients the normals of data by the unit directions of each towards the scanner alone: on thin parts those of
+/// the neighbours are opposite.
+inline void orient_to_scanner(const Execution& execution, const Points& data, Points& normals,
+                              const Points& towards_scanner)
+{
+  std::vector<double> strength(data.size());
+  for(std::size_t i = 0; i < data.size(); ++i) {
+    const double vote = normals[i].dot(towards_scanner[i]);
     if(vote < 0)
-      oriented[i] = -normals[i];
-  });
-  normals.swap(oriented);
+      normals[i] = -normals[i];
+    strength[i] = std::abs(vote);
+  }
+  follow_neighbors_where_weak(execution, data, normals, strength);
 }
 
 /// Flips a component's normals if its outermost points in most directions look inwards.

@@ -8,7 +8,6 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SEEN_PART_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SEEN_PART_H
 
-#include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 
@@ -33,9 +32,8 @@ class Seen_part_estimation {
   static constexpr double noisy_residual = 0.25;          ///< in sp; clean scans 0-0.06, 0.5 % noise 0.5
 
 public:
-  /// `side`: for each point a direction on the outer side (towards the scanner, or a rough normal); empty: normals point
-  /// to any side.
-  static Seen_part estimate(const Execution& execution, const Points& points, const Points& side)
+  /// Its normals point to any side.
+  static Seen_part estimate(const Execution& execution, const Points& points)
   {
     Seen_part seen;
     seen.points = points;
@@ -64,9 +62,6 @@ public:
         seen.normals[i] = fit.normal;
       });
     }
-    for(std::size_t i = 0; i < side.size(); ++i)
-      if(seen.normals[i].dot(side[i]) < 0)
-        seen.normals[i] = -seen.normals[i];
     return seen;
   }
 };
