@@ -67,7 +67,7 @@ public:
       const Sorted_grid grid(points, m_reach);
       const std::vector<double> weights = sample_weights(grid, points);
       Points next(points.size()), next_normals = normals;
-      parallel_for(m_execution, points.size(), [&](std::size_t i) {
+      parallel_for_places(m_execution, grid, [&](std::size_t i) {
         const Vec3 push = m_parameters.repulsion * repulsion(grid, points, normals, weights, i);
         next[i] = separated ? moved_on_surface(*edges, points[i], push, next_normals[i])
                             : Vec3(points[i] + attraction(points[i]) + push);
@@ -84,8 +84,6 @@ public:
   }
 
 private:
-  double theta(double d2) const { return std::exp(-m_theta_factor * d2); }
-
   /// Tangent plane weight of equation (4); the normal is that of p_j, equation (4) prints n_i.
   double plane_weight(const Vec3& n, const Vec3& offset) const
   {
@@ -110,11 +108,17 @@ private:
     });
   }
 
+  /// theta / r, with r at no less than its least.
+  void theta_by_distance(const Neighbor_block& block, Block_weights& weights) const
+  {
+    weights.set_gaussian(m_theta_factor, block) /= block.squared_distance().max(m_least * m_least).sqrt();
+  }
+
   /// rho of equation (2).
   void weigh_data()
   {
     m_density.assign(m_data.size(), 1.);
-    parallel_for_places(m_execution, m_data, [&](std::size_t j) {
+    parallel_for_places(m_execution, m_data_grid, [&](std::size_t j) {
       double sum = 1;
       for_each_datum(m_data[j], [&](std::size_t k, const Vec3& offset, double t) {
         if(k != j)
@@ -144,7 +148,7 @@ private:
   std::vector<double> sample_weights(const Sorted_grid& grid, const Points& points) const
   {
     std::vector<double> weights(points.size());
-    parallel_for(m_execution, points.size(), [&](std::size_t i) {
+    parallel_for_places(m_execution, grid, [&](std::size_t i) {
       double sum = 0;
       grid.for_each_neighbor_block(points[i], m_reach, [&](const Neighbor_block& block) {
         Block_weights theta;
@@ -161,9 +165,10 @@ private:
     Vec3 offsets = Vec3::Zero();
     double weight = 0;
     m_data_grid.for_each_neighbor_block(q, m_reach, [&](const Neighbor_block& block) {
+      Block_weights weights;
+      theta_by_distance(block, weights);
       for(int k = 0; k < block.size; ++k) {
-        const double r = (std::max)(std::sqrt(block.d2[k]), m_least);
-        const double w = theta(block.d2[k]) / (r * m_density[block.index[k]]);
+        const double w = weights[k] / m_density[block.index[k]];
         offsets += w * block.offset(k);
         weight += w;
       }
@@ -178,11 +183,12 @@ private:
     Local_surface surface;
     constexpr double falloff = 2 / (surface_reach * surface_reach);
     m_data_grid.for_each_neighbor_block(q, surface_reach, [&](const Neighbor_block& block) {
+      Block_weights weights;
+      weights.set_gaussian(falloff, block);
       for(int k = 0; k < block.size; ++k) {
         const Index j = block.index[k];
         add_to_surface(surface, n, block.offset(k), m_data_normals[j],
-                       m_phi(n, m_data_normals[j]) * std::exp(-falloff * block.d2[k]) /
-                         m_density[j]);
+                       m_phi(n, m_data_normals[j]) * weights[k] / m_density[j]);
       }
     });
     if(!(surface.weight > tiny_length))
@@ -214,12 +220,13 @@ private:
     Vec3 push = Vec3::Zero();
     double weight = 0;
     grid.for_each_neighbor_block(points[i], m_reach, [&](const Neighbor_block& block) {
+      Block_weights theta;
+      theta_by_distance(block, theta);
       for(int k = 0; k < block.size; ++k) {
         const Index other = block.index[k];
         if(other == i)
           continue;
-        const double r = (std::max)(std::sqrt(block.d2[k]), m_least);
-        double w = weights[other] * theta(block.d2[k]) / r;
+        double w = weights[other] * theta[k];
         if(separated)
           w *= m_phi(normals[i], normals[other]);
         push -= w * block.offset(k);

@@ -54,7 +54,7 @@ inline void project_bilaterally(Execution& execution, Stage& stage, Points& poin
     const Sorted_grid grid(points, parameters.radius);
     if(parameters.updates_normals) {
       Points next = normals;
-      parallel_for_places(execution, points, [&](std::size_t i) {
+      parallel_for_places(execution, grid, [&](std::size_t i) {
         if(stays(i))
           return;
         Vec3 sum = Vec3::Zero();
@@ -64,7 +64,7 @@ inline void project_bilaterally(Execution& execution, Stage& stage, Points& poin
       normals.swap(next);
     }
     Points next = points;
-    parallel_for_places(execution, points, [&](std::size_t i) {
+    parallel_for_places(execution, grid, [&](std::size_t i) {
       if(stays(i))
         return;
       double height = 0, total = 0;

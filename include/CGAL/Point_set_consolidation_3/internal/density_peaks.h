@@ -67,7 +67,7 @@ inline std::vector<double> representativeness(const Execution& execution, const 
   const Sorted_grid grid(points, cutoff * h);
   std::vector<double> density(points.size());
   const double factor = 16 / (h * h);
-  parallel_for_places(execution, points, [&](std::size_t i) {
+  parallel_for_places(execution, grid, [&](std::size_t i) {
     double sum = 0;
     grid.for_each_neighbor_block(points[i], cutoff * h, [&](const Neighbor_block& block) {
       Block_weights theta;

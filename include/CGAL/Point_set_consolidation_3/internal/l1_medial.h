@@ -137,7 +137,7 @@ private:
     const Sorted_grid grid(m_samples, cutoff * h);
     Points next = m_samples;
     std::vector<double> moves(m_samples.size(), 0.);
-    parallel_for(m_execution, m_samples.size(), [&](std::size_t l) {
+    parallel_for_places(m_execution, grid, [&](std::size_t l) {
       if(m_is_frozen[l])
         return;
       const Vec3& m = m_samples[l];
@@ -160,16 +160,18 @@ private:
       Vec3 push = Vec3::Zero();
       Mat3 scatter = Mat3::Zero();
       double push_weight = 0;
-      grid.for_each_neighbor(m, cutoff * h, [&](Index other, double d2) {
-        if(other == l)
-          return true;
-        const Vec3 offset = m_samples[other] - m;
-        const double theta = std::exp(-factor * d2);
-        scatter += theta * offset * offset.transpose();
-        const double beta = theta / (std::max)(d2, least * least);
-        push -= beta * offset;
-        push_weight += beta;
-        return true;
+      grid.for_each_neighbor_block(m, cutoff * h, [&](const Neighbor_block& block) {
+        Block_weights theta;
+        theta.set_gaussian(factor, block);
+        for(int k = 0; k < block.size; ++k) {
+          if(block.index[k] == l)
+            continue;
+          const Vec3 offset = block.offset(k);
+          scatter += theta[k] * offset * offset.transpose();
+          const double beta = theta[k] / (std::max)(block.d2[k], least * least);
+          push -= beta * offset;
+          push_weight += beta;
+        }
       });
       m_linearity[l] = linearity(scatter);
       if(push_weight > 0)

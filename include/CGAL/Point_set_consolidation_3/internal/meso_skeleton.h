@@ -60,7 +60,7 @@ public:
     for(std::size_t t = 0; t < m_parameters.iterations; ++t) {
       const Sorted_grid grid(m_result.points, m_parameters.collision_radius);
       Points next(m_result.points.size());
-      parallel_for_places(m_execution, m_result.points, [&](std::size_t i) {
+      parallel_for_places(m_execution, grid, [&](std::size_t i) {
         m_result.ellipsoids[i] = neighborhood(grid, i);
         next[i] = moved(grid, i);
       });

@@ -27,15 +27,14 @@ struct Neighbor_lists {
   std::size_t count(std::size_t i) const { return first[i + 1] - first[i]; }
 };
 
+/// `grid`: of the points.
 inline Neighbor_lists make_neighbor_lists(const Execution& execution, const Sorted_grid& grid,
                                           const Points& points, double radius)
 {
   const std::size_t n = points.size();
   Neighbor_lists lists;
   lists.first.assign(n + 1, 0);
-  const std::vector<Index> order = place_order(points);
-  parallel_for(execution, n, [&](std::size_t k) {
-    const std::size_t i = order[k];
+  parallel_for_places(execution, grid, [&](std::size_t i) {
     std::size_t count = 0;
     grid.for_each_neighbor(points[i], radius, [&](Index, double) { return ++count != 0; });
     lists.first[i + 1] = count;
@@ -43,8 +42,7 @@ inline Neighbor_lists make_neighbor_lists(const Execution& execution, const Sort
   for(std::size_t i = 0; i < n; ++i)
     lists.first[i + 1] += lists.first[i];
   lists.neighbors.resize(lists.first[n]);
-  parallel_for(execution, n, [&](std::size_t k) {
-    const std::size_t i = order[k];
+  parallel_for_places(execution, grid, [&](std::size_t i) {
     std::size_t slot = lists.first[i];
     grid.for_each_neighbor(points[i], radius, [&](Index j, double) {
       lists.neighbors[slot++] = j;

@@ -123,11 +123,11 @@ private:
 };
 
 /// Those of `is_far`, and data off the surface of the data that `is_left_out` does not flag. `feet` and `normals` are
-/// those of the data on the particles' surface, `distance` their distances from it.
-inline std::vector<char> near_outliers(const Execution& execution, const Points& data, const Points& feet,
-                                       const Points& normals, const std::vector<double>& distance,
-                                       const std::vector<char>& is_far, const std::vector<char>& is_left_out,
-                                       const Outlier_parameters& parameters)
+/// those of the data on the particles' surface, `distance` their distances from it; `order` is that of places.
+inline std::vector<char> near_outliers(const Execution& execution, const Points& data,
+                                       const std::vector<Index>& order, const Points& feet, const Points& normals,
+                                       const std::vector<double>& distance, const std::vector<char>& is_far,
+                                       const std::vector<char>& is_left_out, const Outlier_parameters& parameters)
 {
   constexpr std::size_t fitted_neighbors = 24, sparsity_neighbors = 6;
   constexpr double suspicious = 0.3;    // of the limit: the particles' surface is farther from most outliers
@@ -153,7 +153,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
     return found;
   };
   std::vector<double> sparsity(data.size(), 0.);
-  parallel_for_places(execution, data, [&](std::size_t i) {
+  parallel_for_places(execution, order, [&](std::size_t i) {
     for(const Neighbor& neighbor : neighbors_of(i, data[i], sparsity_neighbors))
       sparsity[i] += std::sqrt(neighbor.squared_distance);
   });
@@ -177,7 +177,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
            (!tests_sparsity ||
             relative_sparsity > (is_clear ? parameters.clear_sparsity : parameters.near_sparsity));
   };
-  parallel_for_places(execution, data, [&](std::size_t i) {
+  parallel_for_places(execution, order, [&](std::size_t i) {
     if(!is_outlier[i] && distance[i] > suspicious * limit)
       is_outlier[i] = is_off(i, feet[i], true) && is_off(i, data[i], false);
   });
@@ -195,9 +195,10 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
   constexpr std::size_t planes = 6;
   const double h = parameters.support_radius;
   const Nearest_neighbors tree(surface);
+  const std::vector<Index> order = place_order(data);
   std::vector<double> distance(data.size());  // mean, from the tangent planes
   Points feet = data, normals(data.size());   // on the particles' surface
-  parallel_for_places(execution, data, [&](std::size_t i) {
+  parallel_for_places(execution, order, [&](std::size_t i) {
     std::vector<Neighbor> found;
     tree.find(data[i], planes, found);
     const Vec3& side = surface_normals[found.front().index];
@@ -224,7 +225,7 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
     const std::vector<char> is_far = is_outlier;
     for(int pass = 0; pass < passes; ++pass) {
       std::vector<char> found =
-        near_outliers(execution, data, feet, normals, distance, is_far, is_outlier, parameters);
+        near_outliers(execution, data, order, feet, normals, distance, is_far, is_outlier, parameters);
       const bool is_settled = found == is_outlier;
       is_outlier.swap(found);
       if(is_settled)

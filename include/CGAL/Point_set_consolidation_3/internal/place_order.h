@@ -25,12 +25,25 @@ inline std::vector<Index> place_order(const Points& points)
   return Sorted_grid(points, bounding_box(points).diagonal() / cells).order();
 }
 
-/// `parallel_for()` over all points, in the order of their places.
+/// `parallel_for()` over all indices, in a given order.
+template <typename Body>
+void parallel_for_places(const Execution& execution, const std::vector<Index>& order, const Body& body)
+{
+  parallel_for(execution, order.size(), [&](std::size_t k) { body(std::size_t(order[k])); });
+}
+
+/// Over all points of a grid, cell by cell.
+template <typename Body>
+void parallel_for_places(const Execution& execution, const Sorted_grid& grid, const Body& body)
+{
+  parallel_for_places(execution, grid.order(), body);
+}
+
+/// Over all points, in the order of their places. Where they are the points of a grid at hand, that grid does better.
 template <typename Body>
 void parallel_for_places(const Execution& execution, const Points& points, const Body& body)
 {
-  const std::vector<Index> order = place_order(points);
-  parallel_for(execution, order.size(), [&](std::size_t k) { body(std::size_t(order[k])); });
+  parallel_for_places(execution, place_order(points), body);
 }
 
 }  // namespace internal

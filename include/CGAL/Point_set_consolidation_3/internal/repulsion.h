@@ -62,11 +62,12 @@ public:
              const std::vector<char>& is_static) const
   {
     std::vector<char> stays(particles.size(), 0);
-    parallel_for_places(m_execution, particles, [&](std::size_t i) {
+    const std::vector<Index> order = place_order(particles);
+    parallel_for_places(m_execution, order, [&](std::size_t i) {
       stays[i] = (!is_static.empty() && is_static[i]) || !is_smooth(particles[i], normals[i]);
     });
     std::vector<std::size_t> moving;
-    for(const Index i : place_order(particles))
+    for(const Index i : order)
       if(!stays[i])
         moving.push_back(i);
     if(moving.empty())

@@ -95,7 +95,7 @@ public:
       survey(grid, t > 0);
       const double repulsion = repulsion_at(t, last, cooling);
       Points next = m_result.points;
-      parallel_for_places(m_execution, m_result.points, [&](std::size_t i) {
+      parallel_for_places(m_execution, grid, [&](std::size_t i) {
         if(moves(i))
           next[i] = moved(grid, i, repulsion);
       });
@@ -159,7 +159,7 @@ private:
     const double dense =
       (std::max)(completed_density, full_density * median(m_result.data_density));
     Points next = m_result.normals;
-    parallel_for_places(m_execution, m_result.points, [&](std::size_t i) {
+    parallel_for_places(m_execution, grid, [&](std::size_t i) {
       if(!moves(i))
         return;
       const Vec3& p = m_result.points[i];

@@ -73,7 +73,7 @@ inline std::vector<double> wlop_densities(const Execution& execution, const Sort
                                           const Points& points, const Wlop_kernel& kernel)
 {
   std::vector<double> densities(points.size());
-  parallel_for_places(execution, points, [&](std::size_t i) {
+  parallel_for_places(execution, grid, [&](std::size_t i) {
     densities[i] = wlop_density(grid, points[i], kernel);
   });
   return densities;
@@ -86,7 +86,7 @@ inline std::vector<double> wlop_densities_near(const Execution& execution, const
 {
   const Sorted_grid place_grid(places, reach);
   std::vector<double> densities(points.size(), 1.);
-  parallel_for_places(execution, points, [&](std::size_t i) {
+  parallel_for_places(execution, grid, [&](std::size_t i) {
     bool is_used = false;
     place_grid.for_each_neighbor(points[i], reach, [&](Index, double) {
       is_used = true;
