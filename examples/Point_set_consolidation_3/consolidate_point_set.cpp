@@ -67,6 +67,7 @@ bool parse(Options& o, int argc, char** argv)
     .above(0).default_is("2 spacings of the output");
   line.option("--wlop-iterations", "N", o.wlop_iterations, "iterations of WLOP").between(1, 10000);
   line.flag("--keep-density", o.keep_density, "do not weigh the input by its density: faster");
+  line.flag("--no-denoising", o.no_denoising, "do not denoise views along their rays first");
   line.heading("Deep points (lengths in spacings r of the consolidated points)");
   line.option("--prior", "NAME", o.prior, "what is assumed where data are missing")
     .one_of({"volume-preserving", "minimal-volume", "flat"});

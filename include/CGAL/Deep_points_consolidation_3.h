@@ -174,6 +174,7 @@ public:
         if(m_seen.points.empty())  // it is kept when a call is cancelled
           m_seen = m_input.seen.points.empty() ? Seen_part_estimation::estimate(m_execution, m_input.data)
                                                : std::move(m_input.seen);
+        m_seen.is_noisy = m_seen.is_noisy || m_input.is_denoised;
         if(!m_input.directions.empty())
           orient_to_scanner(m_execution, m_input.data, m_seen.normals, m_input.directions.towards_scanner);
       }

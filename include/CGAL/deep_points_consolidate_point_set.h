@@ -70,6 +70,12 @@ namespace CGAL {
       \cgalParamDefault{not known}
       \cgalParamExtra{Needs `view_direction_map` or `scanner_positions`.}
     \cgalParamNEnd
+    \cgalParamNBegin{denoise_along_rays}
+      \cgalParamDescription{whether noisy views are denoised along their rays before all else, see Section \ref
+        PSC3Denoising; the paper consolidates the points as they are}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`; without effect if no directions or positions of the scanner are given}
+    \cgalParamNEnd
     \cgalParamNBegin{number_of_output_points}
       \cgalParamDescription{number of consolidated points, each of which becomes a deep point}
       \cgalParamType{`std::size_t`}

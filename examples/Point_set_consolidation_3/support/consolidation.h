@@ -28,6 +28,7 @@ struct Consolidation_options {
   std::string prior = "volume-preserving", data_term = "full";
   double omega = 45, sigma_p = 5, sigma_q = 2, mu = 0.4, mu_hat = 0.4, epsilon = 0.1;
   std::size_t skeleton_iterations = 10, surface_iterations = 90;
+  bool no_denoising = false;     ///< of views along their rays
   bool no_symmetry = false;      ///< do not complete by a mirror plane
   double maximum_hole = 0;       ///< in the unit of the input; 0: no bound
   double completed_spacing = 1;  ///< of filled regions, in spacings of the particles

@@ -100,6 +100,7 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
                     .smoothing_radius(o.sigma_p)
                     .collision_radius(o.sigma_q)
                     .closing_step(!o.no_closing)
+                    .denoise_along_rays(!o.no_denoising && o.method != "wlop")
                     .skeleton_repulsion(o.mu)
                     .surface_repulsion(o.mu_hat)
                     .axis_epsilon(o.epsilon)

@@ -106,6 +106,7 @@
   X(surface_repulsion)       /* mu_hat */                                               \
   X(axis_epsilon)            /* epsilon, the floor of an ellipsoid's axes */            \
   X(closing_step)                                                                       \
+  X(denoise_along_rays)                                                                 \
   X(number_of_skeleton_iterations)                                                      \
   X(number_of_surface_iterations)                                                       \
   X(completed_spacing)       /* of filled regions, in r */                              \

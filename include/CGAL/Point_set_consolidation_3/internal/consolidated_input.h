@@ -19,6 +19,7 @@ namespace internal {
 struct Consolidated_input {
   Frame frame;
   Points data;                 ///< C, in the caller's order
+  bool is_denoised = false;    ///< along the rays
   Seen_part seen;              ///< C with outward normals; empty if the scanner's directions tell
   Scan_directions directions;  ///< empty: none
   Points points;               ///< S

@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
+#include <CGAL/Point_set_consolidation_3/internal/range_denoising.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/view_estimation.h>
@@ -115,6 +116,7 @@ struct Input_parameters {
   unsigned int iterations = 35;       ///< of WLOP
   bool require_uniform_sampling = true;   ///< the paper's WLOP weighs by density
   unsigned int normal_neighbors = 18;
+  bool denoise_along_rays = true;
 };
 
 template <typename NP>
@@ -140,6 +142,8 @@ Input_parameters read_input_parameters(const char* function, const NP& np, std::
           "number_of_iterations must be in [1, 100000]");
   input.require_uniform_sampling =
     parameter_or(np, CGAL::internal_np::require_uniform_sampling, true);
+  input.denoise_along_rays =
+    parameter_or(np, Point_set_consolidation_3::internal_np::denoise_along_rays, true);
   return input;
 }
 
@@ -208,6 +212,8 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
                                   "coincide: no spacing to work with");
     for(const Vec3& p : world)
       input.data.push_back(input.frame.to_local(p));
+    if(parameters.denoise_along_rays && !directions.empty())
+      input.is_denoised = denoise_along_rays(execution, directions, input.data);
     const double radius =
       parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
     input.points = wlop<ConcurrencyTag>(execution, stage, input.data, count, radius,

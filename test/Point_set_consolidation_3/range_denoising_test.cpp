@@ -1,0 +1,167 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Denoising of views along their rays: on known surfaces with known noise.
+
+#include <CGAL/Point_set_consolidation_3/internal/range_denoising.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+using namespace CGAL::Point_set_consolidation_3::internal;
+
+namespace {
+
+void expect(bool condition, const std::string& what)
+{
+  if(!condition) {
+    std::fprintf(stderr, "%s\n", what.c_str());
+    std::exit(EXIT_FAILURE);
+  }
+}
+
+class Random {
+public:
+  explicit Random(unsigned seed) : m_generator(seed) {}
+  double uniform() { return double(m_generator()) / double(std::mt19937::max()); }
+  double normal()  // Box and Muller
+  {
+    return std::sqrt(-2 * std::log(1 - uniform() * 0.999999)) * std::cos(6.283185307179586 * uniform());
+  }
+
+private:
+  std::mt19937 m_generator;
+};
+
+struct Scan {
+  Points truth, points;
+  Scan_directions directions;
+
+  void add(const Vec3& x, const Vec3& towards_scanner, double error, std::size_t view)
+  {
+    truth.push_back(x);
+    points.push_back(x + error * towards_scanner);
+    directions.towards_scanner.push_back(towards_scanner);
+    directions.view.push_back(view);
+  }
+};
+
+double root_mean_square(const Points& points, const Points& truth)
+{
+  double squares = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    squares += (points[i] - truth[i]).squaredNorm() / double(points.size());
+  return std::sqrt(squares);
+}
+
+Points denoised(const Scan& scan, bool* is_noisy = nullptr)
+{
+  Points points = scan.points;
+  const bool found = denoise_along_rays(make_execution<CGAL::Sequential_tag>(), scan.directions, points);
+  if(is_noisy != nullptr)
+    *is_noisy = found;
+  return points;
+}
+
+void expect_moved_along_rays(const Scan& scan, const Points& points)
+{
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 move = points[i] - scan.points[i];
+    expect(move.cross(scan.directions.towards_scanner[i]).norm() < 1e-9, "a point leaves its ray");
+  }
+}
+
+/// A wavy ground and, far in front of its middle, a strip, thinner than the noise is thick, and its back from another view.
+Scan ground_and_strip(double noise)
+{
+  Random random(7);
+  Scan scan;
+  constexpr std::size_t points = 4000;
+  for(std::size_t i = 0; i < points; ++i) {
+    const double x = random.uniform(), y = random.uniform();
+    const bool is_strip = std::abs(x - 0.5) < 0.08;
+    const double z = is_strip ? 0.5 : 0.05 * std::sin(5 * x) * std::cos(4 * y);
+    scan.add(Vec3(x, y, z), Vec3::UnitZ(), noise * random.normal(), 0);
+  }
+  for(std::size_t i = 0; i < points / 6; ++i)
+    scan.add(Vec3(0.42 + 0.16 * random.uniform(), random.uniform(), 0.48), -Vec3::UnitZ(), noise * random.normal(), 1);
+  return scan;
+}
+
+void test_orthographic()
+{
+  constexpr double noise = 0.04;
+  const Scan scan = ground_and_strip(noise);
+  bool is_noisy = false;
+  const Points points = denoised(scan, &is_noisy);
+  expect(is_noisy, "noise is found");
+  expect_moved_along_rays(scan, points);
+  expect(root_mean_square(points, scan.truth) < 0.35 * noise, "the error falls to a third");
+  std::size_t mixed = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    mixed += (points[i] - scan.truth[i]).norm() > 3 * noise;
+  expect(mixed <= points.size() / 200, "the strip does not mix with the ground");
+}
+
+void test_perspective()
+{
+  constexpr double noise = 0.03;
+  const Vec3 scanner(0, 0, 4);
+  Random random(11);
+  Scan scan;
+  while(scan.points.size() < 3000) {
+    const Vec3 p(2 * random.uniform() - 1, 2 * random.uniform() - 1, 2 * random.uniform() - 1);
+    if(!(p.norm() > 0.1 && p.norm() <= 1))
+      continue;
+    const Vec3 x = p.normalized();
+    if(x.dot(scanner - x) > 0.3 * (scanner - x).norm())
+      scan.add(x, (scanner - x).normalized(), noise * random.normal(), 0);
+  }
+  const Points points = denoised(scan);
+  expect_moved_along_rays(scan, points);
+  expect(root_mean_square(points, scan.truth) < 0.5 * noise, "a sphere seen from a point");
+}
+
+void test_what_has_no_noise()
+{
+  const Scan clean = ground_and_strip(0);
+  bool is_noisy = true;
+  expect(denoised(clean, &is_noisy) == clean.points && !is_noisy, "clean points stay where they are");
+
+  // a view that is too small for an image, points at one place, and no views
+  Random random(3);
+  Scan few, equal;
+  for(int i = 0; i < 50; ++i)
+    few.add(Vec3(random.uniform(), random.uniform(), 0), Vec3::UnitZ(), 0.1 * random.normal(), 0);
+  expect(denoised(few) == few.points, "too few points stay");
+  for(int i = 0; i < 200; ++i)
+    equal.add(Vec3(1, 2, 3), Vec3::UnitZ(), 0, 0);
+  expect(denoised(equal) == equal.points, "equal points stay");
+  expect(denoised(Scan()).empty(), "no points");
+}
+
+void test_far_outlier()
+{
+  Scan scan = ground_and_strip(0.04);
+  scan.add(Vec3(1e7, 0, 0), Vec3::UnitZ(), 0, 0);
+  scan.add(Vec3(0.2, 0.2, 1e9), Vec3::UnitZ(), 0, 0);
+  const Points points = denoised(scan);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    expect(points[i].allFinite(), "finite");
+  expect(points[points.size() - 2] == scan.points[points.size() - 2], "a lone point stays");
+  expect(points.back() == scan.points.back(), "a point far in front of all others stays");
+}
+
+}  // namespace
+
+int main()
+{
+  test_orthographic();
+  test_perspective();
+  test_what_has_no_noise();
+  test_far_outlier();
+  return EXIT_SUCCESS;
+}
