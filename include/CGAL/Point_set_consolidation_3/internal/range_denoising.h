@@ -9,8 +9,8 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RANGE_DENOISING_H
 
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
-#include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 namespace CGAL {
@@ -31,6 +31,7 @@ class Range_denoising {
   static constexpr double most_neighbors = 400;
   static constexpr double residual_width = 1.5;       ///< of the weights, in units of the noise: 1 to 2 are as good
   static constexpr std::size_t iterations = 5;
+  static constexpr double settled = 0.01;             ///< change of the height, in units of the noise
 
 public:
   /// The points of one view.
@@ -54,7 +55,7 @@ public:
       radius_of((std::min)(most_neighbors, neighbors_per_noise * (std::max)(1., m_noise / m_spacing)));
     const Sorted_grid grid(m_flat, radius);
     parallel_for_places(m_execution, grid, [&](std::size_t i) {
-      const double shift = height_shift(neighborhood(grid, i, radius));
+      const double shift = height_shift(neighborhood(grid, i, radius, 2));
       denoised[i] += shift * m_projection.towards_scanner(m_points[i]);
     });
     return denoised;
@@ -63,33 +64,86 @@ public:
   bool is_noisy() const { return m_noise > noisy * m_spacing; }
 
 private:
-  typedef Height_frame::Vector Vector;
-  typedef Height_frame::Matrix Matrix;
+  static constexpr int coefficients = 6;
+  using Lanes = Exponential::Lanes;
+  using Column = Eigen::Map<const Lanes>;
+  using Coefficients = Eigen::Matrix<double, coefficients, 1>;
 
-  /// Heights over the image around a point, which is the origin; places in units of the radius.
+  /// Heights over the image around a point, which is the origin; places in units of the radius. Columns are filled up
+  /// with points of no weight to a multiple of the lanes.
   struct Neighborhood {
-    std::vector<Vector> rows;     ///< monomials of the places
-    std::vector<double> heights;
-    std::vector<double> nearness; ///< weights by distance
+    std::vector<double> x, y, z;
+    std::vector<double> nearness;  ///< weights by distance
+    std::size_t count = 0;
   };
 
   /// Of a disc with that many points: the six nearest are 0.98 / sqrt(density) off on average.
   double radius_of(double neighbors) const { return 0.577 * m_spacing * std::sqrt(neighbors); }
 
-  Neighborhood neighborhood(const Sorted_grid& grid, std::size_t i, double radius) const
+  /// Weights are exp(-falloff d^2 / radius^2).
+  Neighborhood neighborhood(const Sorted_grid& grid, std::size_t i, double radius, double falloff) const
   {
-    const Height_frame frame = {Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY(), radius};
     Neighborhood found;
     grid.for_each_neighbor_block(m_flat[i], radius, [&](const Neighbor_block& block) {
       Block_weights nearness;
-      nearness.set_gaussian(2 / (radius * radius), block);
+      nearness.set_gaussian(falloff / (radius * radius), block);
       for(int k = 0; k < block.size; ++k) {
-        found.rows.push_back(frame.monomials(block.offset(k)));
-        found.heights.push_back(m_image[block.index[k]].z() - m_image[i].z());
+        found.x.push_back(block.dx[k] / radius);
+        found.y.push_back(block.dy[k] / radius);
+        found.z.push_back(m_image[block.index[k]].z() - m_image[i].z());
         found.nearness.push_back(nearness[k]);
       }
     });
+    found.count = found.x.size();
+    while(found.x.size() % Exponential::lanes != 0)
+      for(std::vector<double>* column : {&found.x, &found.y, &found.z, &found.nearness})
+        column->push_back(0.);
     return found;
+  }
+
+  static double height(const Coefficients& c, double x, double y)
+  {
+    return c[0] + x * (c[1] + c[3] * x + c[4] * y) + y * (c[2] + c[5] * y);
+  }
+
+  /// The quadric c0 + c1 x + c2 y + c3 x^2 + c4 x y + c5 y^2 of least squares, where heights have the weight
+  /// exp(-r^2 / 2) by their residual r over another quadric, in units of `width`. Adds up the weights in `total`.
+  static Coefficients refit(const Neighborhood& near, const Coefficients& c, double width, double& total)
+  {
+    // sums of w x^a y^b, a + b <= 4, by degree and then by b; the first six of them times the height
+    constexpr int degree = 4, moments = 15;
+    Lanes moment[moments], moment_height[coefficients], term[moments];
+    for(Lanes& m : moment)
+      m.setZero();
+    for(Lanes& m : moment_height)
+      m.setZero();
+    for(std::size_t k = 0; k < near.x.size(); k += Exponential::lanes) {
+      const Column x(&near.x[k]), y(&near.y[k]), z(&near.z[k]), nearness(&near.nearness[k]);
+      const Lanes r = (z - (c[0] + x * (c[1] + c[3] * x + c[4] * y) + y * (c[2] + c[5] * y))) / width;
+      term[0] = nearness * Exponential::of(-0.5 * r * r);
+      for(int d = 1, lower = 0, next = 1; d <= degree; lower += d, ++d) {
+        for(int b = 0; b < d; ++b)
+          term[next++] = term[lower + b] * x;
+        term[next++] = term[lower + d - 1] * y;
+      }
+      for(int m = 0; m < moments; ++m)
+        moment[m] += term[m];
+      for(int m = 0; m < coefficients; ++m)
+        moment_height[m] += term[m] * z;
+    }
+    constexpr int power_x[] = {0, 1, 0, 2, 1, 0}, power_y[] = {0, 0, 1, 0, 1, 2};
+    Eigen::Matrix<double, coefficients, coefficients> A;
+    Coefficients b;
+    for(int i = 0; i < coefficients; ++i) {
+      b[i] = moment_height[i].sum();
+      for(int j = 0; j < coefficients; ++j) {
+        const int y = power_y[i] + power_y[j], d = power_x[i] + power_x[j] + y;
+        A(i, j) = moment[d * (d + 1) / 2 + y].sum();
+      }
+    }
+    total = A(0, 0);
+    A.diagonal().array() += 1e-6 * total;
+    return solve_normal_equations(A, b);
   }
 
   /// The median residual of quadrics over the image, at samples spread over it.
@@ -99,7 +153,7 @@ private:
     const Nearest_neighbors tree(m_flat);
     const std::size_t count = (std::min)(noise_samples, order.size());
     const auto sample = [&](std::size_t k) { return std::size_t(order[k * order.size() / count]); };
-    std::vector<double> spacing(count, 0.), residual(count);
+    std::vector<double> spacing(count, 0.), residual(count, 0.);
     constexpr std::size_t nearest = 6;
     parallel_for(m_execution, count, [&](std::size_t k) {
       std::vector<Neighbor> neighbors;
@@ -113,51 +167,35 @@ private:
       return;
     const Sorted_grid grid(m_flat, radius);
     parallel_for(m_execution, count, [&](std::size_t k) {
-      const Neighborhood near = neighborhood(grid, sample(k), radius);
-      const Vector c = fit(near, std::vector<double>(near.heights.size(), 1.));
-      double squares = 0;
-      for(std::size_t j = 0; j < near.heights.size(); ++j)
-        squares += std::pow(near.heights[j] - near.rows[j].dot(c), 2);
-      const std::size_t n = near.heights.size();
-      residual[k] = n < least_neighbors ? 0 : std::sqrt(squares / double(n - Height_frame::coefficients));
+      const Neighborhood near = neighborhood(grid, sample(k), radius, 0);
+      if(near.count < least_neighbors)
+        return;
+      double total = 0, squares = 0;
+      constexpr double any = (std::numeric_limits<double>::max)();  // no residual counts less
+      const Coefficients c = refit(near, Coefficients::Zero(), any, total);
+      for(std::size_t j = 0; j < near.count; ++j)
+        squares += std::pow(near.z[j] - height(c, near.x[j], near.y[j]), 2);
+      residual[k] = std::sqrt(squares / double(near.count - coefficients));
     });
     m_noise = median(residual);
-  }
-
-  static Vector fit(const Neighborhood& near, const std::vector<double>& weights)
-  {
-    Matrix A = Matrix::Zero();
-    Vector b = Vector::Zero();
-    for(std::size_t k = 0; k < weights.size(); ++k) {
-      A += weights[k] * near.rows[k] * near.rows[k].transpose();
-      b += weights[k] * near.heights[k] * near.rows[k];
-    }
-    A.diagonal().array() += 1e-6 * A(0, 0);
-    return solve_normal_equations(A, b);
   }
 
   /// From the point to a quadric through the heights next to its own: those beyond an edge of depth have no weight.
   double height_shift(const Neighborhood& near) const
   {
-    const std::size_t n = near.heights.size();
-    if(n < least_neighbors)
+    if(near.count < least_neighbors)
       return 0;
     // first around the point's height, and as much farther as a slope of one leads
-    double width = m_noise + radius_of(double(n));
-    Vector c = Vector::Zero();
-    std::vector<double> weights(n);
+    double width = m_noise + radius_of(double(near.count));
+    Coefficients c = Coefficients::Zero();
     for(std::size_t t = 0; t < iterations; ++t) {
       double total = 0;
-      for(std::size_t k = 0; k < n; ++k) {
-        const double r = (near.heights[k] - near.rows[k].dot(c)) / width;
-        weights[k] = near.nearness[k] * std::exp(-0.5 * r * r);
-        total += weights[k];
-      }
-      if(total < 0.5 * Height_frame::coefficients)
+      const double last = c[0];
+      c = refit(near, c, width, total);
+      if(total < 0.5 * coefficients || !c.allFinite())
         return 0;
-      c = fit(near, weights);
-      if(!c.allFinite())
-        return 0;
+      if(t > 0 && std::abs(c[0] - last) < settled * m_noise)
+        break;
       width = residual_width * m_noise;
     }
     return c[0];
