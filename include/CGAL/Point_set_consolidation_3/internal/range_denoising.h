@@ -25,12 +25,12 @@ class Range_denoising {
   static constexpr std::size_t noise_samples = 4000;
   static constexpr double noise_neighbors = 30;
   static constexpr double noisy = 0.5;                ///< in spacings of the image; clean scans 0 to 0.3 (fandisk)
-  /// For each spacing that the noise is large. Error of meshes relative to that of the raw scan's, three views of four to
+  /// For each spacing that the noise is large. Error of meshes relative to that of the raw scan, three views of four to
   /// six models: 0.74 and 0.72 with 20 and 40 neighbours (noise of 1.5 spacings, 0.5 % of the diagonal), 0.39, 0.40
   /// and 0.43 with 150, 240 and 400 (6 spacings, 2 %).
   static constexpr double neighbors_per_noise = 30;
   static constexpr double most_neighbors = 400;
-  static constexpr double residual_width = 1.5;       ///< of the weights, in units of the noise; 0.5: 10 % worse, 2: 4 %
+  static constexpr double residual_width = 1.5;       ///< of the weights, in the noise; 0.5: 10 % worse, 2: 4 %
   static constexpr std::size_t iterations = 5;
   static constexpr double settled = 0.01;             ///< change of the height, in units of the noise
 
