@@ -96,6 +96,13 @@ figure_parameter_particles() {
   done
   draw parameter_particles "${small[@]}" "${panels[@]}"
 }
+figure_parameter_denoising() {
+  scan noisy armadillo.off 3 40000 --noise 2
+  complete noisy_raw noisy --no-denoising
+  complete noisy_denoised noisy
+  draw parameter_denoising "${small[@]}" --panel "scan=$work/noisy.ply" --panel "without=$work/noisy_raw.mesh.ply" \
+    --panel "denoised along the rays=$work/noisy_denoised.mesh.ply"
+}
 figure_method_deep_points() {
   knot
   deep knot_deep knot --particles 3000 --data-term normal

@@ -141,6 +141,9 @@ void test_what_has_no_noise()
     equal.add(Vec3(1, 2, 3), Vec3::UnitZ(), 0, 0);
   expect(denoised(equal) == equal.points, "equal points stay");
   expect(denoised(Scan()).empty(), "no points");
+  Scan ungrouped = ground_and_strip(0.04);
+  ungrouped.directions.view.clear();
+  expect(denoised(ungrouped) == ungrouped.points, "rays without views");
 }
 
 void test_far_outlier()

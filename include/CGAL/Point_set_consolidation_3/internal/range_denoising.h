@@ -209,11 +209,13 @@ private:
   double m_noise = 0, m_spacing = 0;
 };
 
-/// Denoises the views that have noise. True if any has.
+/// Denoises the views that have noise. True if any has; false where it is not known which points are one view.
 inline bool denoise_along_rays(const Execution& execution, const Scan_directions& directions, Points& points)
 {
   constexpr std::size_t least_points = 100;  // fewer do not make an image
   bool is_noisy = false;
+  if(directions.view.empty())
+    return false;  // rays that could not be grouped
   std::vector<std::vector<std::size_t> > views(directions.number_of_views());
   for(std::size_t i = 0; i < points.size(); ++i)
     views[directions.view[i]].push_back(i);
