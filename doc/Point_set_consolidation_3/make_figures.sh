@@ -97,7 +97,7 @@ figure_parameter_particles() {
   draw parameter_particles "${small[@]}" "${panels[@]}"
 }
 figure_parameter_denoising() {
-  scan noisy armadillo.off 3 40000 --noise 2
+  scan noisy bull.off 3 40000 --noise 2
   complete noisy_raw noisy --no-denoising
   complete noisy_denoised noisy
   draw parameter_denoising "${small[@]}" --panel "scan=$work/noisy.ply" --panel "without=$work/noisy_raw.mesh.ply" \
