@@ -11,6 +11,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <iostream>
@@ -398,6 +399,42 @@ Skeleton small_skeleton()
   return skeleton;
 }
 
+/// Edges of the graph that is left of two strands of three nodes, joined at their ends, by what their points were on
+/// the surface: two whole tubes beside a hole, or the halves of one tube.
+std::size_t edges_of_strands(bool are_whole)
+{
+  namespace psc = CGAL::Point_set_consolidation_3::internal;
+  constexpr std::size_t nodes = 6, per_ring = 40, rings = 5;
+  psc::Points thin, surface;
+  std::vector<std::array<std::size_t, 2>> connections;
+  for(std::size_t node = 0; node < nodes; ++node) {
+    // left strand upwards, right strand downwards
+    const double side = node < 3 ? -1 : 1, height = node < 3 ? double(node) : double(5 - node);
+    const psc::Vec3 axis(are_whole ? 1.05 * side : 0, 0, height);
+    for(std::size_t ring = 0; ring < rings; ++ring)
+      for(std::size_t k = 0; k < per_ring; ++k) {
+        const double turn = (double(k) + 0.5) / double(per_ring);
+        const double angle = are_whole ? 2 * CGAL_PI * turn : CGAL_PI * (turn - 0.5) + (side < 0 ? CGAL_PI : 0);
+        const double offset = (double(ring) - 2) / double(rings);
+        surface.push_back(axis + psc::Vec3(std::cos(angle), std::sin(angle), offset));
+        thin.push_back(psc::Vec3(0.6 * side, 0, height));
+      }
+    const std::size_t next = (node + 1) % nodes * rings * per_ring;
+    connections.push_back({node * rings * per_ring, next});
+  }
+  psc::Thinning_parameters parameters;
+  parameters.sampling_radius = 0.1;
+  psc::Skeleton_thinning thinning(thin, connections, parameters, surface);
+  thinning.thin();
+  return thinning.graph().edges.size();
+}
+
+void test_small_handles()
+{
+  assert(edges_of_strands(true) == 6);   // a handle of few nodes stays
+  assert(edges_of_strands(false) == 0);  // two sides of one tube become one node
+}
+
 void test_editing()
 {
   const Skeleton original = small_skeleton();
@@ -486,6 +523,7 @@ void test_files()
 
 int main()
 {
+  test_small_handles();
   test_editing();
   test_files();
   test_torus();
