@@ -106,8 +106,8 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{largest_merged_cycle}
       \cgalParamDescription{cycles of at most so many nodes are merged to a node, as they come from places where
-        local triangulations disagree, unless they are wider than the parts of the shape around their nodes: these
-        are handles. 0 keeps all}
+        local triangulations disagree, unless they are wider than the parts of the shape around their nodes, and
+        these parts have a side towards the middle of the cycle: these are handles. 0 keeps all}
       \cgalParamType{`std::size_t`}
       \cgalParamDefault{6}
     \cgalParamNEnd
