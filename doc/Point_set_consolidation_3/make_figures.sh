@@ -128,6 +128,7 @@ figure_parameter_sigma_p() { hand; parameter sigma_p hand --sigma-p "" 3 5 8; }
 figure_parameter_sigma_q() { knot; parameter sigma_q knot --sigma-q inner 1 2 4; }
 figure_parameter_mu() { knot; parameter mu knot --mu inner 0 0.4 1; }
 figure_parameter_mu_hat() { hand; parameter mu_hat hand --mu-hat "" 0 0.4 0.8; }
+figure_parameter_epsilon() { knot; parameter epsilon knot --epsilon inner 0.02 0.1 0.5; }
 figure_parameter_prior() { hand; parameter prior hand --prior "" volume-preserving minimal-volume; }
 figure_parameter_data_term() {
   scan knot_1 knot1.off 1 15000 --noise 0.2
