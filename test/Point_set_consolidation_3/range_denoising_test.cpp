@@ -74,7 +74,7 @@ void expect_moved_along_rays(const Scan& scan, const Points& points)
   }
 }
 
-/// A wavy ground and, far in front of its middle, a strip, thinner than the noise is thick, and its back from another view.
+/// A wavy ground and, far in front of its middle, a strip thinner than the noise is thick, with its back from another view.
 Scan ground_and_strip(double noise)
 {
   Random random(7);
@@ -144,6 +144,13 @@ void test_what_has_no_noise()
   Scan ungrouped = ground_and_strip(0.04);
   ungrouped.directions.view.clear();
   expect(denoised(ungrouped) == ungrouped.points, "rays without views");
+
+  Scan turned = ground_and_strip(0.04);  // rays that neither are parallel nor meet
+  for(std::size_t i = 0; i < turned.points.size(); ++i) {
+    turned.directions.view[i] = 0;
+    turned.directions.towards_scanner[i] = Vec3(std::cos(7. * double(i)), std::sin(5. * double(i)), 1).normalized();
+  }
+  expect(denoised(turned) == turned.points, "rays of several scanners under one number");
 }
 
 void test_far_outlier()

@@ -209,7 +209,7 @@ private:
   double m_noise = 0, m_spacing = 0;
 };
 
-/// Denoises the views that have noise. True if any has; false where it is not known which points are one view.
+/// Denoises the views that have noise. True if any has; what is not known to be one view stays as it is.
 inline bool denoise_along_rays(const Execution& execution, const Scan_directions& directions, Points& points)
 {
   constexpr std::size_t least_points = 100;  // fewer do not make an image
@@ -227,6 +227,8 @@ inline bool denoise_along_rays(const Execution& execution, const Scan_directions
       seen.push_back(points[i]);
       rays.push_back(directions.towards_scanner[i]);
     }
+    if(!is_one_view(seen, rays))
+      continue;  // an image of it would mix front and back
     const Projection projection = Projection::fit(seen, rays);
     Range_denoising denoising(execution, seen, projection);
     const Points denoised = denoising.run();

@@ -20,17 +20,6 @@ namespace internal {
 /// What the caller knows of the scanner, from the named parameters `view_direction_map`, `view_index_map`
 /// and `scanner_positions`.
 
-/// Whether all rays are parallel or meet in one point: one scanner position.
-inline bool is_one_view(const Points& points, const Points& towards_scanner)
-{
-  const Projection projection = Projection::fit(points, towards_scanner);
-  double error = 0;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    error += (projection.towards_scanner(points[i]) - towards_scanner[i]).norm();
-  constexpr double angle = 0.01;  // radians
-  return error < angle * double(points.size());
-}
-
 /// Groups parallel rays into views. Empty if they are not a few orthographic views.
 inline std::vector<std::size_t> group_views(const Points& points, const Points& towards_scanner)
 {

@@ -126,6 +126,17 @@ private:
   double m_distance = 0;
 };
 
+/// Whether all rays are parallel or meet in one point: one scanner position.
+inline bool is_one_view(const Points& points, const Points& towards_scanner)
+{
+  const Projection projection = Projection::fit(points, towards_scanner);
+  double error = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    error += (projection.towards_scanner(points[i]) - towards_scanner[i]).norm();
+  constexpr double angle = 0.01;  // radians
+  return error < angle * double(points.size());
+}
+
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL
