@@ -74,7 +74,7 @@ void expect_moved_along_rays(const Scan& scan, const Points& points)
   }
 }
 
-/// A wavy ground and, far in front of its middle, a strip thinner than the noise is thick, with its back from another view.
+/// A wavy ground, far in front of its middle a strip thinner than the noise is thick, and its back from another view.
 Scan ground_and_strip(double noise)
 {
   Random random(7);
