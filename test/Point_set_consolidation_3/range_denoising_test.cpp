@@ -3,25 +3,18 @@
 
 // Denoising of views along their rays: on known surfaces with known noise.
 
+#undef NDEBUG
+
 #include <CGAL/Point_set_consolidation_3/internal/range_denoising.h>
 
+#include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <random>
-#include <string>
 
 using namespace CGAL::Point_set_consolidation_3::internal;
 
 namespace {
-
-void expect(bool condition, const std::string& what)
-{
-  if(!condition) {
-    std::fprintf(stderr, "%s\n", what.c_str());
-    std::exit(EXIT_FAILURE);
-  }
-}
 
 class Random {
 public:
@@ -70,7 +63,7 @@ void expect_moved_along_rays(const Scan& scan, const Points& points)
 {
   for(std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 move = points[i] - scan.points[i];
-    expect(move.cross(scan.directions.towards_scanner[i]).norm() < 1e-9, "a point leaves its ray");
+    assert(move.cross(scan.directions.towards_scanner[i]).norm() < 1e-9);  // a point leaves its ray
   }
 }
 
@@ -97,13 +90,13 @@ void test_orthographic()
   const Scan scan = ground_and_strip(noise);
   bool is_noisy = false;
   const Points points = denoised(scan, &is_noisy);
-  expect(is_noisy, "noise is found");
+  assert(is_noisy);  // noise is found
   expect_moved_along_rays(scan, points);
-  expect(root_mean_square(points, scan.truth) < 0.35 * noise, "the error falls to a third");
+  assert(root_mean_square(points, scan.truth) < 0.35 * noise);  // the error falls to a third
   std::size_t mixed = 0;
   for(std::size_t i = 0; i < points.size(); ++i)
     mixed += (points[i] - scan.truth[i]).norm() > 3 * noise;
-  expect(mixed <= points.size() / 200, "the strip does not mix with the ground");
+  assert(mixed <= points.size() / 200);  // the strip does not mix with the ground
 }
 
 void test_perspective()
@@ -122,35 +115,35 @@ void test_perspective()
   }
   const Points points = denoised(scan);
   expect_moved_along_rays(scan, points);
-  expect(root_mean_square(points, scan.truth) < 0.5 * noise, "a sphere seen from a point");
+  assert(root_mean_square(points, scan.truth) < 0.5 * noise);  // a sphere seen from a point
 }
 
 void test_what_has_no_noise()
 {
   const Scan clean = ground_and_strip(0);
   bool is_noisy = true;
-  expect(denoised(clean, &is_noisy) == clean.points && !is_noisy, "clean points stay where they are");
+  assert(denoised(clean, &is_noisy) == clean.points && !is_noisy);  // clean points stay where they are
 
   // a view that is too small for an image, points at one place, and no views
   Random random(3);
   Scan few, equal;
   for(int i = 0; i < 50; ++i)
     few.add(Vec3(random.uniform(), random.uniform(), 0), Vec3::UnitZ(), 0.1 * random.normal(), 0);
-  expect(denoised(few) == few.points, "too few points stay");
+  assert(denoised(few) == few.points);  // too few points stay
   for(int i = 0; i < 200; ++i)
     equal.add(Vec3(1, 2, 3), Vec3::UnitZ(), 0, 0);
-  expect(denoised(equal) == equal.points, "equal points stay");
-  expect(denoised(Scan()).empty(), "no points");
+  assert(denoised(equal) == equal.points);  // equal points stay
+  assert(denoised(Scan()).empty());  // no points
   Scan ungrouped = ground_and_strip(0.04);
   ungrouped.directions.view.clear();
-  expect(denoised(ungrouped) == ungrouped.points, "rays without views");
+  assert(denoised(ungrouped) == ungrouped.points);  // rays without views
 
   Scan turned = ground_and_strip(0.04);  // rays that neither are parallel nor meet
   for(std::size_t i = 0; i < turned.points.size(); ++i) {
     turned.directions.view[i] = 0;
     turned.directions.towards_scanner[i] = Vec3(std::cos(7. * double(i)), std::sin(5. * double(i)), 1).normalized();
   }
-  expect(denoised(turned) == turned.points, "rays of several scanners under one number");
+  assert(denoised(turned) == turned.points);  // rays of several scanners under one number
 }
 
 void test_far_outlier()
@@ -160,9 +153,9 @@ void test_far_outlier()
   scan.add(Vec3(0.2, 0.2, 1e9), Vec3::UnitZ(), 0, 0);
   const Points points = denoised(scan);
   for(std::size_t i = 0; i < points.size(); ++i)
-    expect(points[i].allFinite(), "finite");
-  expect(points[points.size() - 2] == scan.points[points.size() - 2], "a lone point stays");
-  expect(points.back() == scan.points.back(), "a point far in front of all others stays");
+    assert(points[i].allFinite());  // finite
+  assert(points[points.size() - 2] == scan.points[points.size() - 2]);  // a lone point stays
+  assert(points.back() == scan.points.back());  // a point far in front of all others stays
 }
 
 }  // namespace

@@ -102,7 +102,8 @@ private:
     return found;
   }
 
-  static double height(const Coefficients& c, double x, double y)
+  template <typename Number>
+  static Number height(const Coefficients& c, const Number& x, const Number& y)
   {
     return c[0] + x * (c[1] + c[3] * x + c[4] * y) + y * (c[2] + c[5] * y);
   }
@@ -120,7 +121,7 @@ private:
       m.setZero();
     for(std::size_t k = 0; k < near.x.size(); k += Exponential::lanes) {
       const Column x(&near.x[k]), y(&near.y[k]), z(&near.z[k]), nearness(&near.nearness[k]);
-      const Lanes r = (z - (c[0] + x * (c[1] + c[3] * x + c[4] * y) + y * (c[2] + c[5] * y))) / width;
+      const Lanes r = (z - height<Lanes>(c, x, y)) / width;
       term[0] = nearness * Exponential::of(-0.5 * r * r);
       for(int d = 1, lower = 0, next = 1; d <= degree; lower += d, ++d) {
         for(int b = 0; b < d; ++b)
@@ -227,9 +228,9 @@ inline bool denoise_along_rays(const Execution& execution, const Scan_directions
       seen.push_back(points[i]);
       rays.push_back(directions.towards_scanner[i]);
     }
-    if(!is_one_view(seen, rays))
-      continue;  // an image of it would mix front and back
     const Projection projection = Projection::fit(seen, rays);
+    if(!projection.has_rays(seen, rays))
+      continue;  // an image of it would mix front and back
     Range_denoising denoising(execution, seen, projection);
     const Points denoised = denoising.run();
     is_noisy = is_noisy || denoising.is_noisy();

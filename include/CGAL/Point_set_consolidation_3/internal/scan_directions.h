@@ -23,7 +23,7 @@ namespace internal {
 /// Groups parallel rays into views. Empty if they are not a few orthographic views.
 inline std::vector<std::size_t> group_views(const Points& points, const Points& towards_scanner)
 {
-  if(is_one_view(points, towards_scanner))
+  if(Projection::fit(points, towards_scanner).has_rays(points, towards_scanner))
     return std::vector<std::size_t>(points.size(), 0);
   constexpr std::size_t most_views = 64;
   constexpr double least_cosine = 0.99985;  // one degree

@@ -107,6 +107,15 @@ public:
   {
     return m_is_perspective ? normalized_or(m_scanner - x, m_axis) : m_axis;
   }
+  /// Whether these are its rays; those of a fitted projection are if they come from one scanner position.
+  bool has_rays(const Points& points, const Points& towards) const
+  {
+    double error = 0;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      error += (towards_scanner(points[i]) - towards[i]).norm();
+    constexpr double angle = 0.01;  // radians
+    return error < angle * double(points.size());
+  }
   const Vec3& right() const { return m_right; }
   const Vec3& up() const { return m_up; }
 
@@ -125,17 +134,6 @@ private:
   Vec3 m_scanner = Vec3::Zero();
   double m_distance = 0;
 };
-
-/// Whether all rays are parallel or meet in one point: one scanner position.
-inline bool is_one_view(const Points& points, const Points& towards_scanner)
-{
-  const Projection projection = Projection::fit(points, towards_scanner);
-  double error = 0;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    error += (projection.towards_scanner(points[i]) - towards_scanner[i]).norm();
-  constexpr double angle = 0.01;  // radians
-  return error < angle * double(points.size());
-}
 
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
