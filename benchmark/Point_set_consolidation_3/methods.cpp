@@ -162,16 +162,28 @@ Method_result deep_points(const Point_cloud& scan)
   return {result.points, result.normals, {}};
 }
 
-/// Completion: the scan's points and the missing ones, all options at their defaults.
-Method_result completion(const Point_cloud& scan)
+Method_result completed_input(const Point_cloud& scan, support::Consolidation_options options)
 {
-  support::Consolidation_options options;
   options.wants_points = false;
   const Point_cloud result = support::consolidate(scan, options, {}).completed;
   return {result.points, result.normals, {}};
 }
 
-/// The same without directions towards the scanner.
+/// Completion: the scan's points and the missing ones, all options at their defaults.
+Method_result completion(const Point_cloud& scan)
+{
+  return completed_input(scan, {});
+}
+
+/// The same without denoising along the rays.
+Method_result raw_completion(const Point_cloud& scan)
+{
+  support::Consolidation_options options;
+  options.no_denoising = true;
+  return completed_input(scan, options);
+}
+
+/// Completion without directions towards the scanner.
 Method_result blind_completion(const Point_cloud& scan)
 {
   Point_cloud points;
@@ -189,7 +201,8 @@ const std::vector<Method>& methods()
       {"wlop", "CGAL's WLOP to 4000 points, then as direct", wlop, true},
       {"deep-points", "deep points consolidation, the consolidated points alone", deep_points, false},
       {"completion", "completed input of the deep points, with directions and views", completion, false},
-      {"blind-completion", "the same without directions", blind_completion, false},
+      {"raw-completion", "the same without denoising along the rays", raw_completion, false},
+      {"blind-completion", "completion without directions", blind_completion, false},
       {"iterative", "iterative consolidation, with directions and views", iterative, false},
   };
   return list;
