@@ -31,7 +31,7 @@ rows.csv (every run), cases.csv (means over the seeds), report.md (summary, then
   --data DIR        CGAL's data (environment variable CGAL_DATA_DIR)
   --models LIST     names, or groups tuning, check, extra, all (tuning,check)
   --specs LIST      noise c (clean), n (0.5 %) or h (2 %), then the number of views, then p for a perspective
-                    camera (c1,c2,c3,n1,n2,n3,h1,h2,h3)
+                    camera, then o for 2 % of outliers (c1,c2,c3,n1,n2,n3,h1,h2,h3)
   --methods LIST    (all)
   --seeds N         scans per model and spec, whose errors are averaged (1)
   --reference NAME  method that ratios refer to (direct)
@@ -60,8 +60,15 @@ Scanner_options scanner_options(const std::string& spec, std::uint64_t seed)
   if(spec.size() < 2)
     throw Usage_error("a spec is a letter and a number, not '" + spec + "'");
   options.noise = noise_of(spec[0]);
-  options.perspective = spec.back() == 'p';
-  const std::string views = spec.substr(1, spec.size() - (options.perspective ? 2 : 1));
+  std::string views = spec.substr(1);
+  const auto ends_with = [&](char letter) {
+    const bool found = !views.empty() && views.back() == letter;
+    if(found)
+      views.pop_back();
+    return found;
+  };
+  options.outliers = ends_with('o') ? 2 : 0;
+  options.perspective = ends_with('p');
   if(views.empty() || views.find_first_not_of("0123456789") != std::string::npos
      || std::stoul(views) == 0) {
     throw Usage_error("a spec is a letter and a number, not '" + spec + "'");

@@ -590,7 +590,7 @@ Figure_result table_1(const std::string& data)
       });
     double wlop = 0, deep = 0;
     for(const auto& time : result.times) {
-      const bool is_input = time.name == "wlop" || time.name == "normals";
+      const bool is_input = time.name == "outliers" || time.name == "denoising" || time.name == "wlop" || time.name == "normals";
       (is_input ? wlop : deep) += time.seconds;
     }
     const double n = double(result.consolidated.size());

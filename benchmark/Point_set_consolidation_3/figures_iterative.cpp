@@ -75,13 +75,23 @@ struct Holes {
       }
   }
 
-  /// Share of the missing part with a point within 1.5 % of the diagonal.
-  double coverage(const Point_cloud& result) const
+  /// Of the missing part from the nearest point, in increasing order.
+  std::vector<double> distances(const Point_cloud& result) const
   {
-    constexpr double near = 0.015;
     const Point_tree tree(result.points);
-    const auto is_covered = [&](const Vec3& p) { return tree.nearest(p).distance < near; };
-    return double(std::count_if(missing.begin(), missing.end(), is_covered)) / double(missing.size());
+    std::vector<double> found;
+    for(const Vec3& p : missing)
+      found.push_back(tree.nearest(p).distance);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  /// Share of the missing part with a point within 1.5 % of the diagonal.
+  double coverage(const Point_cloud& result, double near = 0.015) const
+  {
+    const std::vector<double> found = distances(result);
+    const auto beyond = std::lower_bound(found.begin(), found.end(), near);
+    return double(beyond - found.begin()) / double(found.size());
   }
 };
 
@@ -155,8 +165,8 @@ void add_holes(Figure_result& figure, const std::string& title, const Judge& jud
                const std::function<Holes(std::uint64_t seed)>& cut)
 {
   Figure_table table{title,
-                     {"hole covered", "new points", "error of new", "Poisson before", "after", "largest before",
-                      "after"},
+                     {"hole covered", "within 2.5 %", "farthest, %", "new points", "error of new", "Poisson before",
+                      "after", "largest before", "after"},
                      {}};
   for(const std::uint64_t seed : {1, 2}) {
     const Holes holes = cut(seed);
@@ -164,7 +174,8 @@ void add_holes(Figure_result& figure, const std::string& title, const Judge& jud
     const Triangle_mesh before = poisson(holes.cloud), after = poisson(run.cloud);
     const Mesh_verdict verdict_before = judge.mesh(before), verdict_after = judge.mesh(after);
     table.rows.push_back({"samples " + std::to_string(seed),
-                          {holes.coverage(run.cloud), double(run.added.size()), error_of(judge, run.added),
+                          {holes.coverage(run.cloud), holes.coverage(run.cloud, 0.025),
+                           100 * holes.distances(run.cloud).back(), double(run.added.size()), error_of(judge, run.added),
                            verdict_before.forward.mean, verdict_after.forward.mean, verdict_before.forward.max,
                            verdict_after.forward.max}});
     if(seed == 1) {

@@ -49,7 +49,7 @@ bool parse(Options& o, int argc, char** argv)
   line.option("--mesh-distance", "X", o.mesh_distance,
               "largest distance of the mesh's facets from the surface, in spacings of the meshed points")
     .between(0.01, 1);
-  line.option("--completed", "FILE", o.completed, "the completed input, your points first and in order");
+  line.option("--completed", "FILE", o.completed, "the completed input, your points (without outliers) first and in order");
   line.option("--inner", "FILE", o.inner, "inner points (meso-skeleton), .ply with radius and label: "
               "0 curve, 1 sheet, 2 end, 3 unanchored");
   line.option("--deep-points", "FILE", o.deep_points, "outer and inner points joined by edges (.ply)");
@@ -68,6 +68,7 @@ bool parse(Options& o, int argc, char** argv)
   line.option("--wlop-iterations", "N", o.wlop_iterations, "iterations of WLOP").between(1, 10000);
   line.flag("--keep-density", o.keep_density, "do not weigh the input by its density: faster");
   line.flag("--no-denoising", o.no_denoising, "do not denoise views along their rays first");
+  line.flag("--keep-outliers", o.keep_outliers, "deep points: do not leave points out that belong to no surface");
   line.heading("Deep points (lengths in spacings r of the consolidated points)");
   line.option("--prior", "NAME", o.prior, "what is assumed where data are missing")
     .one_of({"volume-preserving", "minimal-volume", "flat"});
@@ -147,7 +148,7 @@ void write_picture(const Options& o, const Point_cloud& scan, const Result& resu
   std::vector<support::Panel> panels(1);
   panels[0].title = "input";
   panels[0].cloud = scan;
-  const bool keeps_all = result.completed.size() == scan.size() + result.completed_points;
+  const bool keeps_all = !result.completed.points.empty() && result.outliers == 0;
   if(panels[0].cloud.normals.empty() && keeps_all)
     panels[0].cloud.normals.assign(result.completed.normals.begin(),
                                    result.completed.normals.begin() + std::ptrdiff_t(scan.size()));
@@ -216,6 +217,7 @@ void run(int argc, char** argv)
     json["points"] = cloud.size();
     json["consolidated_points"] = result.consolidated.size();
     json["completed_points"] = result.completed_points;
+    json["outliers"] = result.outliers;
     json["spacing"] = result.spacing;
     json["seconds"] = seconds;
     json["mesh_seconds"] = mesh_seconds;
@@ -232,8 +234,8 @@ void run(int argc, char** argv)
     support::write_json(o.json, json);
   }
   if(!o.quiet)
-    std::fprintf(stderr, "%zu points -> %zu consolidated, %zu completed, %.1f s%s\n", cloud.size(),
-                 result.consolidated.size(), result.completed_points, seconds,
+    std::fprintf(stderr, "%zu points, %zu of them outliers -> %zu consolidated, %zu completed, %.1f s%s\n",
+                 cloud.size(), result.outliers, result.consolidated.size(), result.completed_points, seconds,
                  mesh.empty() ? "" : "; meshed");
   support::report_files(o.quiet, {o.output, o.completed, o.inner, o.deep_points, o.mesh, o.picture,
                                   o.json});

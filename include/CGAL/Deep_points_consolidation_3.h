@@ -18,6 +18,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/scan_directions.h>
 #include <CGAL/Point_set_consolidation_3/internal/sinking.h>
 #include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
+#include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 #include <CGAL/Point_set_consolidation_3/parameters.h>
 
@@ -95,7 +96,7 @@ public:
       return true;
     return run(CONSOLIDATED, [&] {
       m_input = Point_set_consolidation_3::internal::consolidate_input<ConcurrencyTag>(
-        m_execution, 0.35, m_points, m_hints, m_directions, m_input_parameters);
+        m_execution, 0.35, m_scan, m_input_parameters);
     });
   }
 
@@ -139,10 +140,10 @@ public:
       std::vector<Point_set_consolidation_3::Prior> priors;
       for(const Vec3& p : m_input.points) {
         const std::size_t c = data.nearest(p).index;
-        if(!m_gaps.is_frozen.empty())
-          frozen.push_back(m_gaps.is_frozen[c]);
-        if(!m_gaps.priors.empty())
-          priors.push_back(m_gaps.priors[c]);
+        if(!m_input.gaps.is_frozen.empty())
+          frozen.push_back(m_input.gaps.is_frozen[c]);
+        if(!m_input.gaps.priors.empty())
+          priors.push_back(m_input.gaps.priors[c]);
       }
       m_surface = Surface_consolidation(m_execution, m_input.data, m_input.points, m_sunk.normals,
                                         m_skeleton.points, m_surface_parameters, free_space,
@@ -150,7 +151,7 @@ public:
                     .run(stage);
       Completed_filling filling(m_execution, m_skeleton.points, frozen, m_surface);
       filling.run(m_surface_parameters.completed_spacing);
-      filling.close_flat(m_input.data, data, m_gaps);
+      filling.close_flat(m_input.data, data, m_input.gaps);
       m_confidence.resize(m_surface.points.size());
       parallel_for(m_execution, m_confidence.size(), [&](std::size_t i) {
         m_confidence[i] =
@@ -183,7 +184,7 @@ public:
       if(!m_input.directions.empty())
         free_space = Free_space(m_execution, m_input.data, m_input.directions, region(), margin);
       Completion_parameters parameters;
-      parameters.gaps = m_gaps;
+      parameters.gaps = m_input.gaps;
       parameters.gaps.largest = m_largest_gap / m_input.frame.unit;
       if(!complete_by_symmetry(free_space, margin, parameters)) {
         Stage stage(m_execution, "completion", 0.4);
@@ -227,17 +228,24 @@ public:
     }
     return output;
   }
+  /// indices of the input points that are outliers, in increasing order; known once the input is consolidated
+  const std::vector<std::size_t>& outliers() const { return m_input.outliers; }
+  /// whether input point i is one
+  bool is_outlier(std::size_t i) const
+  {
+    return std::binary_search(m_input.outliers.begin(), m_input.outliers.end(), i);
+  }
   /// position of input point i as it should be meshed: the input point itself unless the data are noisy and the
-  /// point is not constrained
+  /// point is neither constrained nor an outlier
   Point_3 denoised_point(std::size_t i) const
   {
-    const Vec3& p = m_points[i];
-    const bool is_frozen = !m_gaps.is_frozen.empty() && m_gaps.is_frozen[i];
-    return m_seen.is_noisy && !is_frozen ? world(m_seen.points[i])
-                                         : Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
+    const Vec3& p = m_scan.points[i];
+    const bool is_frozen = !m_scan.gaps.is_frozen.empty() && m_scan.gaps.is_frozen[i];
+    return m_seen.is_noisy && !is_frozen && !is_outlier(i) ? world(m_seen.points[place(i)])
+                                                           : Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
   }
-  /// its unit normal, outwards
-  Vector_3 denoised_normal(std::size_t i) const { return vector(m_seen.normals[i]); }
+  /// its unit normal, outwards; of an outlier, that of the nearest other point
+  Vector_3 denoised_normal(std::size_t i) const { return vector(m_seen.normals[place(i)]); }
 
   /// number of consolidated points
   std::size_t size() const { return m_input.points.size(); }
@@ -302,31 +310,27 @@ private:
     m_execution.progress = Progress(callback_of(np));
 
     constexpr std::size_t least_points = 10;
-    m_points = copy_points(function, points, np, least_points);
-    m_hints = copy_normals(function, points, np);
-    m_directions = copy_scan_directions(function, points, m_points, np);
-    if constexpr(has_parameter<NP, CGAL::internal_np::point_is_constrained_t>) {
-      const auto map =
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::point_is_constrained);
-      for(auto it = points.begin(); it != points.end(); ++it)
-        m_gaps.is_frozen.push_back(char(bool(get(map, *it))));
-    }
+    m_scan.points = copy_points(function, points, np, least_points);
+    m_scan.hints = copy_normals(function, points, np);
+    m_scan.directions = copy_scan_directions(function, points, m_scan.points, np);
+    Gap_parameters& gaps = m_scan.gaps;
+    gaps.is_frozen = copy_constrained(points, np);
     if constexpr(has_parameter<NP, Point_set_consolidation_3::internal_np::prior_map_t>) {
       const auto map =
         CGAL::parameters::get_parameter(np, Point_set_consolidation_3::internal_np::prior_map);
       for(auto it = points.begin(); it != points.end(); ++it)
-        m_gaps.priors.push_back(get(map, *it));
+        gaps.priors.push_back(get(map, *it));
     }
-    m_input_parameters = read_input_parameters(function, np, m_points.size());
+    m_input_parameters = read_input_parameters(function, np, m_scan.points.size());
 
     m_sinking_parameters = read_sinking_parameters(function, np);
     m_skeleton_parameters = read_skeleton_parameters(function, np);
     m_surface_parameters = read_surface_parameters(function, np);
-    m_gaps.prior = m_surface_parameters.prior;
-    m_gaps.shrinkage = m_surface_parameters.shrinkage;
+    gaps.prior = m_surface_parameters.prior;
+    gaps.shrinkage = m_surface_parameters.shrinkage;
     m_largest_gap = positive(function, np, Point_set_consolidation_3::internal_np::maximum_hole_size,
                              "maximum_hole_size", (std::numeric_limits<double>::max)());
-    const bool is_usual = m_gaps.priors.empty() && m_gaps.prior == Prior::VOLUME_PRESERVING &&
+    const bool is_usual = gaps.priors.empty() && gaps.prior == Prior::VOLUME_PRESERVING &&
                           !(m_largest_gap < (std::numeric_limits<double>::max)());
     m_use_symmetry = parameter_or(np, Point_set_consolidation_3::internal_np::use_symmetry, is_usual);
   }
@@ -350,7 +354,7 @@ private:
     Mirror_plane plane;
     if(!symmetry.find(plane, m_input.directions.is_estimated))
       return false;
-    const Mirrored_scan scan(m_execution, m_input, m_seen, m_gaps, free_space, symmetry, plane);
+    const Mirrored_scan scan(m_execution, m_input, m_seen, m_input.gaps, free_space, symmetry, plane);
     if(!scan.is_larger_than(m_seen))
       return false;
     Sunk_points sunk;
@@ -372,13 +376,13 @@ private:
     const Vec3 w = m_input.frame.to_world(local);
     return Point_3(FT(w.x()), FT(w.y()), FT(w.z()));
   }
+  /// Of an input point among the data.
+  std::size_t place(std::size_t i) const { return m_input.place.empty() ? i : m_input.place[i]; }
   static Vector_3 vector(const Vec3& v) { return Vector_3(FT(v.x()), FT(v.y()), FT(v.z())); }
 
   Point_set_consolidation_3::internal::Execution m_execution;
   State m_stage = EMPTY;
-  Points m_points, m_hints;
-  Point_set_consolidation_3::internal::Scan_directions m_directions;
-  Point_set_consolidation_3::internal::Gap_parameters m_gaps;
+  Point_set_consolidation_3::internal::Raw_scan m_scan;
   double m_largest_gap = 0;   ///< in the input's unit
   Point_set_consolidation_3::internal::Input_parameters m_input_parameters;
   Point_set_consolidation_3::internal::Sinking_parameters m_sinking_parameters;

@@ -41,7 +41,7 @@ namespace CGAL {
   \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
   `view_direction_map`, `view_index_map`, `scanner_positions`, `number_of_output_points` (of the consolidated
   set), `select_percentage`, `neighbor_radius`, `number_of_iterations`, `require_uniform_sampling`,
-  `collision_angle`, `smoothing_radius`, `collision_radius`, `closing_step`, `denoise_along_rays`, `missed_rays`, `callback`, `stage_times`
+  `collision_angle`, `smoothing_radius`, `collision_radius`, `closing_step`, `denoise_along_rays`, `detect_outliers`, `outlier_output_iterator`, `missed_rays`, `callback`, `stage_times`
   and `geom_traits` as in `deep_points_consolidate_point_set()`, and those listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{prior}
@@ -79,13 +79,14 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{denoised_point_map}
       \cgalParamDescription{receives the positions of the caller's points as they should be meshed: unchanged
-        for clean data; for noisy data moved along the rays where these are known, then projected to a local quadric fit}
+        for clean data and outliers; for noisy data moved along the rays where these are known, then projected to a
+        local quadric fit}
       \cgalParamType{a model of `WritablePropertyMap` with the range's value type as key and
         `geom_traits::Point_3` as value type}
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{denoised_normal_map}
-      \cgalParamDescription{receives their unit normals, pointing outwards}
+      \cgalParamDescription{receives their unit normals, pointing outwards; outliers get that of the nearest other point}
       \cgalParamType{a model of `WritablePropertyMap` with value type `geom_traits::Vector_3`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
@@ -120,6 +121,7 @@ complete_point_set(const PointRange& points, OutputIterator output,
       put(CGAL::parameters::get_parameter(np, names::denoised_normal_map), *it,
           consolidation.denoised_normal(i));
   }
+  write_to(np, names::outlier_output_iterator, consolidation.outliers());
   return consolidation.completed_points(output);
 }
 

@@ -76,6 +76,19 @@ namespace CGAL {
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`; without effect if no directions or positions of the scanner are given}
     \cgalParamNEnd
+    \cgalParamNBegin{detect_outliers}
+      \cgalParamDescription{whether points that belong to no surface are left out before all else: those at least 3.5
+        times as far from their neighbours as usual, or 2.5 times as far as the points around them are from theirs,
+        that do not lie on the plane of these. If they are less than 0.5 % of all, only those twelve times as far}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`}
+      \cgalParamExtra{Constrained points are no outliers, and sets of less than 100 points have none.}
+    \cgalParamNEnd
+    \cgalParamNBegin{outlier_output_iterator}
+      \cgalParamDescription{receives the indices of the outliers in the range, in increasing order}
+      \cgalParamType{a model of `OutputIterator` that accepts `std::size_t`}
+      \cgalParamDefault{unused}
+    \cgalParamNEnd
     \cgalParamNBegin{number_of_output_points}
       \cgalParamDescription{number of consolidated points, each of which becomes a deep point}
       \cgalParamType{`std::size_t`}
@@ -215,7 +228,12 @@ deep_points_consolidate_point_set(const PointRange& points, OutputIterator outpu
   const bool is_complete = consolidation.consolidate_outer_points();
   Point_set_consolidation_3::internal::report_stage_times(
     Point_set_consolidation_3::internal::cgal_np(np), consolidation.stage_times());
-  return is_complete ? consolidation.deep_points(output) : output;
+  if(!is_complete)
+    return output;
+  Point_set_consolidation_3::internal::write_to(
+    Point_set_consolidation_3::internal::cgal_np(np),
+    Point_set_consolidation_3::internal_np::outlier_output_iterator, consolidation.outliers());
+  return consolidation.deep_points(output);
 }
 
 }  // namespace CGAL

@@ -320,7 +320,7 @@ void deep_points()
            {"smoothing_radius", 3}, {"collision_radius", 3}, {"closing_step", 0}, {"skeleton_repulsion", 0.1},
            {"axis_epsilon", 0.5}, {"number_of_skeleton_iterations", 3}, {"surface_repulsion", 0.1},
            {"number_of_surface_iterations", 10}, {"completed_spacing", no_effect}, {"denoise_along_rays", no_effect},
-           {"data_term", 1}, {"prior", 1}},
+           {"detect_outliers", no_effect}, {"data_term", 1}, {"prior", 1}},
           [&] { return run(base); },
           [&](Values v) {
             return run(base.number_of_iterations(unsigned(v["number_of_iterations"]))
@@ -336,6 +336,7 @@ void deep_points()
                          .number_of_surface_iterations(std::size_t(v["number_of_surface_iterations"]))
                          .completed_spacing(v["completed_spacing"])
                          .denoise_along_rays(v["denoise_along_rays"] != 0)
+                         .detect_outliers(v["detect_outliers"] != 0)
                          .data_term(pkg::Data_term(int(v["data_term"])))
                          .prior(pkg::Prior(int(v["prior"]))));
           });

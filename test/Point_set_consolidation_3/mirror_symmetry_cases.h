@@ -79,13 +79,14 @@ Completion_quality complete(const Shape& shape, const Scan& scan, const NP& np)
 inline bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
 {
   psc::Execution execution = psc::make_execution<CGAL::Parallel_if_available_tag>();
-  psc::Scan_directions directions;
-  directions.towards_scanner = scan.directions;
-  directions.view.assign(scan.points.size(), 0);
+  psc::Raw_scan raw;
+  raw.points = scan.points;
+  raw.directions.towards_scanner = scan.directions;
+  raw.directions.view.assign(scan.points.size(), 0);
   psc::Input_parameters parameters;
   parameters.particles = 3000;
   const psc::Consolidated_input input = psc::consolidate_input<CGAL::Parallel_if_available_tag>(
-    execution, 1, scan.points, {}, directions, parameters);
+    execution, 1, raw, parameters);
   const psc::Free_space free_space(execution, input.data, input.directions, 0.5);
   const psc::Mirror_symmetry symmetry(execution, input.points, input.normals, free_space);
   const bool is_found = symmetry.find(plane, false);

@@ -161,6 +161,18 @@ for method in "deep-points --particles 60" iterative anisotropic-wlop; do
   expect 0 "" consolidate_point_set good.xyz -o out/result.ply --method $method --json out/report.json
   grep -q '"iterations"' out/report.json || complain "--method $method: no stages in the report"
 done
+
+# Eight points far from the ellipsoid are left out, unless they are to be kept.
+{ cat good.xyz; for i in 1 2 3 4 5 6 7 8; do echo "$((i % 3 + 2)) $((i * i % 7 - 3)) $((i - 4)) 0 0 1"; done; } >outliers.xyz
+for option in "" --keep-outliers; do
+  # shellcheck disable=SC2086
+  expect 0 "" consolidate_point_set outliers.xyz --particles 60 --completed out/result.ply --json out/report.json $option
+  left_out=$([ -z "$option" ] && echo 8 || echo 0)
+  grep -q "\"outliers\": $left_out\\b" out/report.json || complain "$option: not $left_out outliers"
+  completed=$(sed -n 's/.*"completed_points": \([0-9]*\).*/\1/p' out/report.json)
+  vertices=$(sed -n 's/^element vertex \([0-9]*\)/\1/p' out/result.ply 2>/dev/null | head -1)
+  [ "$vertices" -eq $((408 - left_out + completed)) ] || complain "$option: $vertices completed points"
+done
 if [ -c /dev/full ]; then
   # The extension says the format: a link to the full disk.
   ln -s /dev/full full.ply

@@ -60,6 +60,7 @@ Consolidation_result consolidate_iteratively(const Scan_ranges& scan,
   result.completed = result.consolidated;
   for(const bool b : is_new)
     result.completed_points += b;
+  result.outliers = scan.points.size() + result.completed_points - points.size();
   return result;
 }
 

@@ -29,6 +29,7 @@ struct Consolidation_options {
   double omega = 45, sigma_p = 5, sigma_q = 2, mu = 0.4, mu_hat = 0.4, epsilon = 0.1;
   std::size_t skeleton_iterations = 10, surface_iterations = 90;
   bool no_denoising = false;     ///< of views along their rays
+  bool keep_outliers = false;
   bool no_symmetry = false;      ///< do not complete by a mirror plane
   double maximum_hole = 0;       ///< in the unit of the input; 0: no bound
   double completed_spacing = 1;  ///< of filled regions, in spacings of the particles
@@ -37,8 +38,9 @@ struct Consolidation_options {
 
 struct Consolidation_result {
   Point_cloud consolidated;          ///< the method's own points
-  Point_cloud completed;             ///< the caller's points, then the missing ones; may be empty
+  Point_cloud completed;             ///< the caller's points but outliers, then the missing ones; may be empty
   std::size_t completed_points = 0;  ///< how many of them are new
+  std::size_t outliers = 0;          ///< how many of the caller's points are left out
   Segment_graph deep_points;         ///< outer and inner vertices, radius: length of the deep point
   Segment_graph inner;               ///< the meso-skeleton's points with radius
   std::vector<int> inner_labels;     ///< parallel: values of Meso_label

@@ -63,6 +63,8 @@ void collect_completed(const Consolidation& consolidation, std::size_t n, Consol
   consolidation.completed_points(std::back_inserter(points));
   Point_cloud& completed = result.completed;
   for(std::size_t i = 0; i < n; ++i) {
+    if(consolidation.is_outlier(i))
+      continue;
     completed.points.push_back(vec3(consolidation.denoised_point(i)));
     completed.normals.push_back(vec3(consolidation.denoised_normal(i)));
     completed.confidence.push_back(1);
@@ -101,6 +103,7 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
                     .collision_radius(o.sigma_q)
                     .closing_step(!o.no_closing)
                     .denoise_along_rays(!o.no_denoising && o.method != "wlop")
+                    .detect_outliers(!o.keep_outliers && o.method != "wlop")
                     .skeleton_repulsion(o.mu)
                     .surface_repulsion(o.mu_hat)
                     .axis_epsilon(o.epsilon)
@@ -134,6 +137,7 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
     }
     result.times = consolidation.stage_times();
     result.spacing = consolidation.spacing();
+    result.outliers = consolidation.outliers().size();
   };
   with_scanner(scan, np, [&](const auto& parameters) {
     if(o.radius > 0)

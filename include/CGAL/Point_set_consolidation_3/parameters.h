@@ -107,6 +107,7 @@
   X(axis_epsilon)            /* epsilon, the floor of an ellipsoid's axes */            \
   X(closing_step)                                                                       \
   X(denoise_along_rays)                                                                 \
+  X(detect_outliers)                                                                    \
   X(number_of_skeleton_iterations)                                                      \
   X(number_of_surface_iterations)                                                       \
   X(completed_spacing)       /* of filled regions, in r */                              \

@@ -8,17 +8,47 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONSOLIDATED_INPUT_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_CONSOLIDATED_INPUT_H
 
+#include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
+#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
+
+/// What the caller knows, in his coordinates.
+struct Raw_scan {
+  Points points;
+  Points hints;                ///< rough normals; empty: none
+  Scan_directions directions;  ///< empty: none
+  Gap_parameters gaps;
+
+  Raw_scan part(const std::vector<Index>& kept) const
+  {
+    Raw_scan result = *this;
+    result.points = selected(points, kept);
+    const auto select = [&](auto& values) {
+      if(!values.empty())
+        values = selected(values, kept);
+    };
+    select(result.hints);
+    select(result.directions.towards_scanner);
+    select(result.directions.view);
+    select(result.gaps.priors);
+    select(result.gaps.is_frozen);
+    return result;
+  }
+};
+
 /// What a method starts from. All lengths are in units of `frame.unit`.
 struct Consolidated_input {
   Frame frame;
-  Points data;                 ///< C, in the caller's order
+  Points data;                 ///< C, in the caller's order, without outliers
+  Gap_parameters gaps;         ///< for these
+  std::vector<std::size_t> outliers;  ///< of the caller's points, in increasing order
+  std::vector<Index> place;           ///< of the caller's points in `data`; outliers have the nearest one's. Empty: no outliers
   bool is_denoised = false;    ///< along the rays
   Seen_part seen;              ///< C with outward normals; empty if the scanner's directions tell
   Scan_directions directions;  ///< empty: none

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/isolated_points.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_denoising.h>
@@ -117,6 +118,7 @@ struct Input_parameters {
   bool require_uniform_sampling = true;   ///< the paper's WLOP weighs by density
   unsigned int normal_neighbors = 18;
   bool denoise_along_rays = true;
+  bool detect_outliers = true;
 };
 
 template <typename NP>
@@ -144,6 +146,7 @@ Input_parameters read_input_parameters(const char* function, const NP& np, std::
     parameter_or(np, CGAL::internal_np::require_uniform_sampling, true);
   input.denoise_along_rays =
     parameter_or(np, Point_set_consolidation_3::internal_np::denoise_along_rays, true);
+  input.detect_outliers = parameter_or(np, Point_set_consolidation_3::internal_np::detect_outliers, true);
   return input;
 }
 
@@ -151,6 +154,11 @@ Input_parameters read_input_parameters(const char* function, const NP& np, std::
 inline std::size_t default_particles(std::size_t n)
 {
   return (std::min)(n, (std::max)(std::size_t(4000), n / 20));
+}
+
+inline std::size_t number_of_particles(const Input_parameters& parameters, std::size_t n)
+{
+  return parameters.particles > 0 ? (std::min)(parameters.particles, n) : default_particles(n);
 }
 
 /// Outliers of the scan leave lone particles, which would stretch every box.
@@ -194,26 +202,14 @@ inline void assume_single_view(const Execution& execution, bool is_oriented, Con
       n = -n;
 }
 
+/// Oriented particles from the data in `input`, whose unit becomes their spacing r, equation (1).
 template <typename ConcurrencyTag>
-Consolidated_input consolidate_input(Execution& execution, double share, const Points& world,
-                                     const Points& hints, const Scan_directions& directions,
-                                     const Input_parameters& parameters)
+void make_particles(Execution& execution, double share, const Points& hints, const Input_parameters& parameters,
+                    Consolidated_input& input)
 {
-  Consolidated_input input;
-  input.directions = directions;
-  const std::size_t count = parameters.particles > 0
-                              ? (std::min)(parameters.particles, world.size())
-                              : default_particles(world.size());
+  const std::size_t count = number_of_particles(parameters, input.data.size());
   {
     Stage stage(execution, "wlop", 0.9 * share);
-    input.frame = data_frame(execution, world, count);
-    if(!(input.frame.unit > 0))
-      throw std::invalid_argument("deep_points_consolidate_point_set(): more than half of the points "
-                                  "coincide: no spacing to work with");
-    for(const Vec3& p : world)
-      input.data.push_back(input.frame.to_local(p));
-    if(parameters.denoise_along_rays && !directions.empty())
-      input.is_denoised = denoise_along_rays(execution, directions, input.data);
     const double radius =
       parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
     input.points = wlop<ConcurrencyTag>(execution, stage, input.data, count, radius,
@@ -221,9 +217,7 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
                                         parameters.require_uniform_sampling);
   }
   Stage stage(execution, "normals", 0.1 * share);
-
   remove_isolated(execution, input.points);
-  // from here on the unit is r, equation (1)
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
   if(!(r > 0))
@@ -233,22 +227,91 @@ Consolidated_input consolidate_input(Execution& execution, double share, const P
                                   : "deep_points_consolidate_point_set(): the consolidated points coincide: no "
                                     "spacing to work with");
   input.frame.unit *= r;
-  for(Vec3& p : input.points)
-    p /= r;
-  for(Vec3& p : input.data)
-    p /= r;
-  for(Vec3& p : input.directions.missed)
-    p = input.frame.to_local(p);
+  for(Points* points : {&input.points, &input.data, &input.directions.missed})
+    for(Vec3& p : *points)
+      p /= r;
 
   input.normals = jet_normals<ConcurrencyTag>(input.points, parameters.normal_neighbors);
   stage.update(0.5);
-  if(!directions.empty())
-    orient_by_hints(execution, input.points, input.normals, input.data, directions.towards_scanner);
+  if(!input.directions.empty())
+    orient_by_hints(execution, input.points, input.normals, input.data, input.directions.towards_scanner);
   else {
     input.seen = oriented_data(execution, input.data, hints);
     orient_by_hints(execution, input.points, input.normals, input.data, input.seen.normals);
     assume_single_view(execution, !hints.empty(), input);
   }
+}
+
+/// A scan without outliers. Noise along rays goes before all else; where these were found, particles are made anew.
+template <typename ConcurrencyTag>
+Consolidated_input consolidate_data(Execution& execution, double share, const Raw_scan& scan,
+                                    const Input_parameters& parameters)
+{
+  Consolidated_input input;
+  input.directions = scan.directions;
+  input.gaps = scan.gaps;
+  const Frame frame =
+    data_frame(execution, scan.points, number_of_particles(parameters, scan.points.size()));
+  if(!(frame.unit > 0))
+    throw std::invalid_argument("deep_points_consolidate_point_set(): more than half of the points "
+                                "coincide: no spacing to work with");
+  input.frame = frame;
+  for(const Vec3& p : scan.points)
+    input.data.push_back(frame.to_local(p));
+  for(Vec3& p : input.directions.missed)
+    p = frame.to_local(p);
+  const auto denoise = [&] {
+    if(!parameters.denoise_along_rays || input.directions.empty())
+      return;
+    Stage stage(execution, "denoising", 0.05 * share);
+    input.is_denoised = denoise_along_rays(execution, input.directions, input.data);
+  };
+  denoise();
+  const bool is_known = !input.directions.empty();
+  make_particles<ConcurrencyTag>(execution, (is_known ? 0.9 : 0.5) * share, scan.hints, parameters, input);
+  if(is_known)
+    return input;
+  denoise();
+  if(input.is_denoised) {
+    const double r = input.frame.unit / frame.unit;
+    for(Vec3& p : input.data)
+      p *= r;
+    input.frame = frame;
+    input.seen = Seen_part();
+    make_particles<ConcurrencyTag>(execution, 0.4 * share, scan.hints, parameters, input);
+  }
+  return input;
+}
+
+/// Leaves the outliers out, none of which is in a frozen region.
+template <typename ConcurrencyTag>
+Consolidated_input consolidate_input(Execution& execution, double share, const Raw_scan& scan,
+                                     const Input_parameters& parameters)
+{
+  std::vector<Index> kept;
+  std::vector<std::size_t> outliers;
+  if(parameters.detect_outliers) {
+    Stage stage(execution, "outliers", 0.02 * share);
+    const std::vector<char> is_isolated = Isolated_points(execution, scan.points).run();
+    for(std::size_t i = 0; i < is_isolated.size(); ++i) {
+      const bool is_frozen = !scan.gaps.is_frozen.empty() && scan.gaps.is_frozen[i];
+      if(is_isolated[i] && !is_frozen)
+        outliers.push_back(i);
+      else
+        kept.push_back(Index(i));
+    }
+  }
+  if(outliers.empty())
+    return consolidate_data<ConcurrencyTag>(execution, share, scan, parameters);
+  const Raw_scan data = scan.part(kept);
+  Consolidated_input input = consolidate_data<ConcurrencyTag>(execution, share, data, parameters);
+  input.place.resize(scan.points.size());
+  for(std::size_t k = 0; k < kept.size(); ++k)
+    input.place[kept[k]] = Index(k);
+  const Nearest_neighbors tree(data.points);
+  for(const std::size_t i : outliers)
+    input.place[i] = tree.nearest(scan.points[i]).index;
+  input.outliers = std::move(outliers);
   return input;
 }
 
