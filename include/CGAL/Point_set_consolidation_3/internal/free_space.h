@@ -34,10 +34,11 @@ public:
              const Bounding_box& region, double margin)
     : m_margin(margin)
   {
-    for(std::size_t v = 0; v < directions.number_of_views(); ++v) {
+    const std::vector<std::vector<std::size_t> > views = directions.by_view();
+    for(std::size_t v = 0; v < views.size(); ++v) {
       Points seen, rays;
-      for(std::size_t i = 0; i < points.size(); ++i) {
-        if(directions.view[i] == v && region.contains(points[i])) {
+      for(const std::size_t i : views[v]) {
+        if(region.contains(points[i])) {
           seen.push_back(points[i]);
           rays.push_back(directions.towards_scanner[i]);
         }

@@ -40,8 +40,9 @@ public:
     : m_execution(execution), m_points(points), m_projection(projection)
   {
     for(const Vec3& p : points) {
-      m_image.push_back(projection(p));
-      m_flat.push_back(Vec3(m_image.back().x(), m_image.back().y(), 0));
+      const Vec3 u = projection(p);
+      m_flat.push_back(Vec3(u.x(), u.y(), 0));
+      m_height.push_back(u.z());
     }
   }
 
@@ -91,7 +92,7 @@ private:
       for(int k = 0; k < block.size; ++k) {
         found.x.push_back(block.dx[k] / radius);
         found.y.push_back(block.dy[k] / radius);
-        found.z.push_back(m_image[block.index[k]].z() - m_image[i].z());
+        found.z.push_back(m_height[block.index[k]] - m_height[i]);
         found.nearness.push_back(nearness[k]);
       }
     });
@@ -206,7 +207,8 @@ private:
   const Execution& m_execution;
   const Points& m_points;
   const Projection& m_projection;
-  Points m_image, m_flat;  ///< with and without the height
+  Points m_flat;                  ///< the image
+  std::vector<double> m_height;   ///< over it
   double m_noise = 0, m_spacing = 0;
 };
 
@@ -215,12 +217,7 @@ inline bool denoise_along_rays(const Execution& execution, const Scan_directions
 {
   constexpr std::size_t least_points = 100;  // fewer do not make an image
   bool is_noisy = false;
-  if(directions.view.empty())
-    return false;  // rays that could not be grouped
-  std::vector<std::vector<std::size_t> > views(directions.number_of_views());
-  for(std::size_t i = 0; i < points.size(); ++i)
-    views[directions.view[i]].push_back(i);
-  for(const std::vector<std::size_t>& view : views) {
+  for(const std::vector<std::size_t>& view : directions.by_view()) {  // none if the rays could not be grouped
     if(view.size() < least_points)
       continue;
     Points seen, rays;

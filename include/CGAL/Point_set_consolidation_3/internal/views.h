@@ -30,6 +30,14 @@ struct Scan_directions {
   {
     return view.empty() ? 0 : *std::max_element(view.begin(), view.end()) + 1;
   }
+  /// Indices of the points of each view.
+  std::vector<std::vector<std::size_t> > by_view() const
+  {
+    std::vector<std::vector<std::size_t> > points(number_of_views());
+    for(std::size_t i = 0; i < view.size(); ++i)
+      points[view[i]].push_back(i);
+    return points;
+  }
 };
 
 /// Maps space onto the image of one scanner position. Lengths in the image are those at the object.
