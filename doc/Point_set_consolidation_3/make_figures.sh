@@ -103,6 +103,13 @@ figure_parameter_denoising() {
   draw parameter_denoising "${small[@]}" --panel "scan=$work/noisy.ply" --panel "without=$work/noisy_raw.mesh.ply" \
     --panel "denoised along the rays=$work/noisy_denoised.mesh.ply"
 }
+figure_parameter_outliers() {
+  scan outliers cow.off 2 30000 --outliers 2
+  complete outliers_kept outliers --keep-outliers
+  complete outliers_out outliers
+  draw parameter_outliers "${small[@]}" --panel "scan=$work/outliers.ply" \
+    --panel "with outliers=$work/outliers_kept.mesh.ply" --panel "without=$work/outliers_out.mesh.ply"
+}
 figure_method_deep_points() {
   knot
   deep knot_deep knot --particles 3000 --data-term normal

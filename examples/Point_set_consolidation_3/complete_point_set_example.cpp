@@ -4,6 +4,7 @@
 #include <CGAL/IO/write_points.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <utility>
@@ -31,21 +32,25 @@ int main(int argc, char* argv[])
   std::vector<Point> denoised(points.size());
   std::vector<Vector> normals(points.size());
   std::vector<CGAL::Completed_point_3<Kernel> > missing;
+  std::vector<std::size_t> outliers;
 
   namespace params = CGAL::Point_set_consolidation_3::parameters;
   CGAL::complete_point_set<CGAL::Parallel_if_available_tag>(
     indices, std::back_inserter(missing),
     params::point_map(CGAL::make_property_map(points))
       .denoised_point_map(CGAL::make_property_map(denoised))
-      .denoised_normal_map(CGAL::make_property_map(normals)));
+      .denoised_normal_map(CGAL::make_property_map(normals))
+      .outlier_output_iterator(std::back_inserter(outliers)));
 
-  // what to mesh: the scan, oriented and if need be denoised, and the missing points
+  // what to mesh: the scan without outliers, oriented and if need be denoised, and the missing points
   std::vector<Oriented_point> completed;
   for(const std::size_t i : indices)
-    completed.emplace_back(denoised[i], normals[i]);
+    if(!std::binary_search(outliers.begin(), outliers.end(), i))
+      completed.emplace_back(denoised[i], normals[i]);
   for(const CGAL::Completed_point_3<Kernel>& p : missing)
     completed.emplace_back(p.outer(), p.normal());
-  std::cout << points.size() << " points, " << missing.size() << " completed" << std::endl;
+  std::cout << points.size() << " points, " << outliers.size() << " outliers, " << missing.size()
+            << " completed" << std::endl;
 
   const auto maps = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
                       .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>())

@@ -256,6 +256,7 @@ Consolidated_input consolidate_data(Execution& execution, double share, const Ra
     throw std::invalid_argument("deep_points_consolidate_point_set(): more than half of the points "
                                 "coincide: no spacing to work with");
   input.frame = frame;
+  input.data.reserve(scan.points.size());
   for(const Vec3& p : scan.points)
     input.data.push_back(frame.to_local(p));
   for(Vec3& p : input.directions.missed)
@@ -283,26 +284,35 @@ Consolidated_input consolidate_data(Execution& execution, double share, const Ra
   return input;
 }
 
-/// Leaves the outliers out, none of which is in a frozen region.
+/// Points that belong to no surface, but none in a frozen region.
+inline std::vector<std::size_t> outliers_of(const Execution& execution, const Raw_scan& scan)
+{
+  const std::vector<char> is_isolated = Isolated_points(execution, scan.points).run();
+  std::vector<std::size_t> outliers;
+  for(std::size_t i = 0; i < is_isolated.size(); ++i)
+    if(is_isolated[i] && (scan.gaps.is_frozen.empty() || !scan.gaps.is_frozen[i]))
+      outliers.push_back(i);
+  return outliers;
+}
+
+/// Leaves the outliers out.
 template <typename ConcurrencyTag>
 Consolidated_input consolidate_input(Execution& execution, double share, const Raw_scan& scan,
                                      const Input_parameters& parameters)
 {
-  std::vector<Index> kept;
   std::vector<std::size_t> outliers;
   if(parameters.detect_outliers) {
     Stage stage(execution, "outliers", 0.02 * share);
-    const std::vector<char> is_isolated = Isolated_points(execution, scan.points).run();
-    for(std::size_t i = 0; i < is_isolated.size(); ++i) {
-      const bool is_frozen = !scan.gaps.is_frozen.empty() && scan.gaps.is_frozen[i];
-      if(is_isolated[i] && !is_frozen)
-        outliers.push_back(i);
-      else
-        kept.push_back(Index(i));
-    }
+    outliers = outliers_of(execution, scan);
   }
   if(outliers.empty())
     return consolidate_data<ConcurrencyTag>(execution, share, scan, parameters);
+  std::vector<Index> kept;
+  for(std::size_t i = 0, next = 0; i < scan.points.size(); ++i)
+    if(next < outliers.size() && outliers[next] == i)
+      ++next;
+    else
+      kept.push_back(Index(i));
   const Raw_scan data = scan.part(kept);
   Consolidated_input input = consolidate_data<ConcurrencyTag>(execution, share, data, parameters);
   input.place.resize(scan.points.size());
