@@ -21,6 +21,7 @@
 #include <cassert>
 #include <iostream>
 #include <limits>
+#include <numeric>
 
 namespace {
 
@@ -160,6 +161,32 @@ void thin_plate()
   for(const Deep_point& p : points)
     upper += p.outer().z() > 0;
   assert(upper > points.size() / 3 && upper < 2 * points.size() / 3);
+}
+
+/// A flat strip that nothing opposes is taken for half as deep as it is wide.
+void strip()
+{
+  std::cout << "strip" << std::endl;
+  constexpr double width = 0.2;
+  std::vector<Point> points;
+  std::vector<Vector> towards;
+  for(int i = 0; i < 200; ++i)
+    for(int j = 0; j < 20; ++j)
+      points.push_back(Point((i + 0.5 * (j % 2)) / 200., width * (j + 0.5) / 20, 0));
+  towards.assign(points.size(), Vector(0, 0, 1));
+  std::vector<std::size_t> indices(points.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  CGAL::Deep_points_consolidation_3<Kernel> consolidation(
+    indices, params::point_map(CGAL::make_property_map(points))
+               .view_direction_map(CGAL::make_property_map(towards))
+               .number_of_output_points(1000)
+               .geom_traits(Kernel()));
+  consolidation.sink_inner_points();
+  for(std::size_t i = 0; i < consolidation.size(); ++i) {
+    assert(consolidation.anchoring(i) == psc::Anchoring::unanchored);
+    const double depth = consolidation.consolidated_point(i).z() - consolidation.anchor_point(i).z();
+    assert(std::abs(depth - 0.5 * width) < 0.15 * 0.5 * width);
+  }
 }
 
 void completion()
@@ -723,6 +750,7 @@ int main()
   half_cylinder();
   y_of_tubes();
   thin_plate();
+  strip();
   completion();
   unknown_scanner();
   mirror_symmetry_cases::symmetric();
