@@ -107,6 +107,19 @@ void data_stay()
   }
   assert(count(isolated(sheet), 0, sheet.size()) <= 4);  // sparse parts are data
 
+  // a noisy scan beside one that is 30 times as dense, and single points among others that come eight times
+  Points two;
+  while(two.size() < 3000)
+    two.push_back(Vec3(random.uniform(0, 0.3), random.uniform(0, 0.3), 0));
+  while(two.size() < 5000)
+    two.push_back(Vec3(random.uniform(1, 2.6), random.uniform(0, 1), random.uniform(-0.1, 0.1)));
+  assert(count(isolated(two), 0, two.size()) == 0);
+  Points copies(two.begin(), two.begin() + 400);
+  for(int k = 0; k < 7; ++k)
+    copies.insert(copies.end(), two.begin(), two.begin() + 300);
+  copies.insert(copies.end(), two.begin() + 400, two.begin() + 1800);
+  assert(count(isolated(copies), 0, copies.size()) == 0);
+
   // one far point in a clean scan is an outlier; fewer points than make a scan have none
   Points points = torus(n, 0, 0, 9);
   points.push_back(Vec3(0, 0, 4));

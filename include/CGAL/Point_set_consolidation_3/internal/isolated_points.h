@@ -30,6 +30,7 @@ class Isolated_points {
   static constexpr double flat = 0.15;        ///< distance of points on a surface from their plane, in its extent
   static constexpr double least_share = 0.005;  ///< fewer lie in the sparse parts of any scan,
   static constexpr double far = 12;             ///< but not so far off, in median spacings
+  static constexpr double most_share = 0.25;    ///< more are another scan, noisier or sparser, or single points among copies
   static constexpr std::size_t least_points = 100;
 
 public:
@@ -47,6 +48,8 @@ public:
       kept[i] = Index(i);
     const Pass first(m_execution, m_points, 0);
     const std::vector<Index> found = first.find();
+    if(double(found.size()) > most_share * double(n))
+      return is_outlier;
     if(double(found.size()) < least_share * double(n)) {
       for(const Index i : found)
         is_outlier[i] = first.spacing[i] > far * first.scale;
