@@ -3,11 +3,9 @@
 
 #include "child_processes.h"
 
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -59,7 +57,11 @@ std::string describe(int status)
 
 std::string run_in_child(const std::function<void()>& task, unsigned int timeout_seconds)
 {
-  return measure_in_child(task, timeout_seconds).error;
+  const pid_t child = start(task, timeout_seconds);
+  int status = 0;
+  if(waitpid(child, &status, 0) < 0)
+    throw std::runtime_error("cannot wait for a process");
+  return describe(status);
 }
 
 void run_in_children(std::size_t count, std::size_t jobs,
@@ -77,26 +79,6 @@ void run_in_children(std::size_t count, std::size_t jobs,
         --running;
     }
   }
-}
-
-Resources measure_in_child(const std::function<void()>& task, unsigned int timeout_seconds)
-{
-  Resources resources;
-  const auto begin = std::chrono::steady_clock::now();
-  const pid_t child = start(task, timeout_seconds);
-  int status = 0;
-  rusage usage = {};
-  if(wait4(child, &status, 0, &usage) < 0)
-    throw std::runtime_error("cannot wait for a process");
-  resources.wall_seconds
-      = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  resources.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  resources.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024.0;
-  resources.error = describe(status);
-  return resources;
 }
 
 }  // namespace benchmark

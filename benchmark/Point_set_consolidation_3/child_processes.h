@@ -18,15 +18,6 @@ std::string run_in_child(const std::function<void()>& task, unsigned int timeout
 void run_in_children(std::size_t count, std::size_t jobs,
                      const std::function<void(std::size_t)>& task);
 
-/// Time and memory of one task run in a child process of its own.
-struct Resources {
-  double wall_seconds = 0.0;
-  double cpu_seconds = 0.0;
-  double peak_megabytes = 0.0;  ///< of resident memory, of the whole child
-  std::string error;            ///< empty if the task ended well
-};
-Resources measure_in_child(const std::function<void()>& task, unsigned int timeout_seconds);
-
 }  // namespace benchmark
 
 #endif  // CONSOLIDATION_BENCHMARK_CHILD_PROCESSES_H

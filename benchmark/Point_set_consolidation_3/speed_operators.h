@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -86,6 +87,19 @@ private:
   std::thread m_thread;
 };
 
+/// Megabytes of a line of /proc/self/status: VmRSS, resident now, or VmHWM, the most that were; 0 if unknown.
+inline double resident_megabytes(const char* line)
+{
+  std::ifstream status("/proc/self/status");
+  for(std::string word; status >> word;)
+    if(word == line) {
+      double kilobytes = 0.0;
+      status >> kilobytes;
+      return kilobytes / 1024.0;
+    }
+  return 0.0;
+}
+
 /// Stages of the same name are one.
 struct Stage_record {
   std::array<char, 32> name{};
@@ -93,8 +107,8 @@ struct Stage_record {
   double megabytes = 0.0;  ///< peak above what there was when the watch was started
 };
 
-/// Started when the operator's own input is ready, stopped before its result is looked at. Lies in memory that parent and
-/// child share: nothing in it that the parent reads is allocated.
+/// Started when the operator's own input is ready, stopped before its result is looked at. Lies in memory that
+/// parent and child share: nothing in it that the parent reads is allocated.
 class Stopwatch {
 public:
   static constexpr std::size_t most_stages = 24;
@@ -102,6 +116,8 @@ public:
   void start()
   {
     m_memory = std::make_unique<Memory_samples>();
+    std::ofstream("/proc/self/clear_refs") << 5;  // VmHWM counts from now on
+    m_megabytes_begin = resident_megabytes("VmRSS:");
     m_wall_begin = std::chrono::steady_clock::now();
     m_cpu_begin = std::clock();
   }
@@ -111,6 +127,7 @@ public:
     m_wall_end = std::chrono::steady_clock::now();
     wall_seconds = std::chrono::duration<double>(m_wall_end - m_wall_begin).count();
     m_memory->stop();
+    megabytes = resident_megabytes("VmHWM:") - m_megabytes_begin;
   }
   /// Names and seconds of the package's stages, one after the other; what is left of the time lies before the first
   /// of them, where the input is copied.
@@ -144,12 +161,14 @@ public:
   }
   double cpu_seconds = 0.0;  ///< of all threads
   double wall_seconds = 0.0;
+  double megabytes = 0.0;  ///< peak above what there was when it was started, the operator's own input
   std::array<Stage_record, most_stages> stages;
   std::size_t number_of_stages = 0;
 
 private:
   std::chrono::steady_clock::time_point m_wall_begin, m_wall_end;
   std::clock_t m_cpu_begin = 0;
+  double m_megabytes_begin = 0.0;
   std::unique_ptr<Memory_samples> m_memory;
 };
 

@@ -97,20 +97,16 @@ private:
 
 Measurement measure(const std::function<void(Stopwatch&)>& run, std::size_t repeat, unsigned int timeout)
 {
-  // a child starts with the pages of its parent, the input among them
-  const double base = measure_in_child([] {}, timeout).peak_megabytes;
   Measurement best;
   for(std::size_t i = 0; i < repeat; ++i) {
     Shared_stopwatch watch;
-    const Resources resources = measure_in_child([&] { run(*watch); }, timeout);
-    if(!resources.error.empty()) {
-      best.error = resources.error;
+    best.error = run_in_child([&] { run(*watch); }, timeout);
+    if(!best.error.empty())
       return best;
-    }
     if(i == 0 || watch->cpu_seconds < best.cpu_seconds) {
       best.cpu_seconds = watch->cpu_seconds;
       best.wall_seconds = watch->wall_seconds;
-      best.megabytes = std::max(0.0, resources.peak_megabytes - base);
+      best.megabytes = std::max(0.0, watch->megabytes);
       best.stages.assign(watch->stages.begin(), watch->stages.begin() + std::ptrdiff_t(watch->number_of_stages));
     }
   }
@@ -353,7 +349,8 @@ void run(const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  return benchmark::run_program("speed_study", usage, argc, argv,
-                                {"--data", "--model", "--sizes", "--operators", "--classes", "--repeat", "--timeout", "--out"},
-                                {"--sequential"}, run);
+  return benchmark::run_program(
+      "speed_study", usage, argc, argv,
+      {"--data", "--model", "--sizes", "--operators", "--classes", "--repeat", "--timeout", "--out"},
+      {"--sequential"}, run);
 }

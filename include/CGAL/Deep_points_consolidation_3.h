@@ -97,6 +97,8 @@ public:
     return run(CONSOLIDATED, [&] {
       m_input = Point_set_consolidation_3::internal::consolidate_input<ConcurrencyTag>(
         m_execution, 0.35, m_scan, m_input_parameters);
+      m_scan.hints = Point_set_consolidation_3::internal::Points();  // m_input has what is needed of these
+      m_scan.directions = Point_set_consolidation_3::internal::Scan_directions();
     });
   }
 

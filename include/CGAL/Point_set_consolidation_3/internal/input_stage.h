@@ -39,35 +39,50 @@ namespace internal {
 
 typedef CGAL::Simple_cartesian<double> Core_kernel;
 
+/// Points by their indices.
+struct Indexed_point_map {
+  typedef Index key_type;
+  typedef Core_kernel::Point_3 value_type;
+  typedef value_type reference;
+  typedef boost::readable_property_map_tag category;
+  const Points* points;
+
+  friend reference get(const Indexed_point_map& map, Index i)
+  {
+    const Vec3& p = (*map.points)[i];
+    return value_type(p.x(), p.y(), p.z());
+  }
+};
+
 /// CGAL's WLOP with the neighbourhood that measured best: twice the spacing of the output. (Its own
-/// default, eight spacings of the input, depends on the share that is kept.) Works on a copy:
-/// CGAL shuffles the range it is given.
+/// default, eight spacings of the input, depends on the share that is kept.) Works on indices:
+/// CGAL shuffles the range it is given, and this is where most memory is in use.
 template <typename ConcurrencyTag>
 Points wlop(Execution& execution, Stage& stage, const Points& data, std::size_t count,
             double neighbor_radius, unsigned int iterations, bool require_uniform_sampling)
 {
   if(count >= data.size())
     count = data.size();
-  std::vector<Core_kernel::Point_3> copy, output;
-  copy.reserve(data.size());
-  for(const Vec3& p : data)
-    copy.emplace_back(p.x(), p.y(), p.z());
+  const Indexed_point_map point_map{&data};
+  std::vector<Index> shuffled = all_indices(data.size());
+  std::vector<Core_kernel::Point_3> output;
   output.reserve(count);
   // half a point more, so that the truncation inside gives `count`
   const double percentage =
     (std::min)(100., 100. * (double(count) + 0.5) / double(data.size()));
   run_observed(stage, execution, [&](const std::function<bool(double)>& observer) {
     output.clear();
-    const auto np = CGAL::parameters::select_percentage(percentage)
+    const auto np = CGAL::parameters::point_map(point_map)
+                      .select_percentage(percentage)
                       .neighbor_radius(neighbor_radius)
                       .number_of_iterations(iterations)
                       .require_uniform_sampling(require_uniform_sampling);
     if(observer)
       CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(
-        copy, std::back_inserter(output), np.callback([&](double f) { return observer(f); }));
+        shuffled, std::back_inserter(output), np.callback([&](double f) { return observer(f); }));
     else
       CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(
-        copy, std::back_inserter(output), np);
+        shuffled, std::back_inserter(output), np);
   });
   Points points;
   points.reserve(output.size());
@@ -202,21 +217,16 @@ inline void assume_single_view(const Execution& execution, bool is_oriented, Con
       n = -n;
 }
 
-/// Oriented particles from the data in `input`, whose unit becomes their spacing r, equation (1).
+/// Particles of the data in `input`, whose unit becomes their spacing r, equation (1).
 template <typename ConcurrencyTag>
-void make_particles(Execution& execution, double share, const Points& hints, const Input_parameters& parameters,
-                    Consolidated_input& input)
+void project_particles(Execution& execution, double share, const Input_parameters& parameters,
+                       Consolidated_input& input)
 {
+  Stage stage(execution, "wlop", share);
   const std::size_t count = number_of_particles(parameters, input.data.size());
-  {
-    Stage stage(execution, "wlop", 0.9 * share);
-    const double radius =
-      parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
-    input.points = wlop<ConcurrencyTag>(execution, stage, input.data, count, radius,
-                                        parameters.iterations,
-                                        parameters.require_uniform_sampling);
-  }
-  Stage stage(execution, "normals", 0.1 * share);
+  const double radius = parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
+  input.points = wlop<ConcurrencyTag>(execution, stage, input.data, count, radius, parameters.iterations,
+                                      parameters.require_uniform_sampling);
   remove_isolated(execution, input.points);
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
@@ -227,10 +237,17 @@ void make_particles(Execution& execution, double share, const Points& hints, con
                                   : "deep_points_consolidate_point_set(): the consolidated points coincide: no "
                                     "spacing to work with");
   input.frame.unit *= r;
-  for(Points* points : {&input.points, &input.data, &input.directions.missed})
+  for(Points* points : {&input.points, &input.data})
     for(Vec3& p : *points)
       p /= r;
+}
 
+/// Their normals. Where the scanner is not known, the data get sides as well, and its direction is looked for.
+template <typename ConcurrencyTag>
+void orient_particles(Execution& execution, double share, const Points& hints, const Input_parameters& parameters,
+                      Consolidated_input& input)
+{
+  Stage stage(execution, "normals", share);
   input.normals = jet_normals<ConcurrencyTag>(input.points, parameters.normal_neighbors);
   stage.update(0.5);
   if(!input.directions.empty())
@@ -247,39 +264,45 @@ template <typename ConcurrencyTag>
 Consolidated_input consolidate_data(Execution& execution, double share, const Raw_scan& scan,
                                     const Input_parameters& parameters)
 {
-  Consolidated_input input;
-  input.directions = scan.directions;
-  input.gaps = scan.gaps;
-  const Frame frame =
-    data_frame(execution, scan.points, number_of_particles(parameters, scan.points.size()));
+  const Frame frame = data_frame(execution, scan.points, number_of_particles(parameters, scan.points.size()));
   if(!(frame.unit > 0))
     throw std::invalid_argument("deep_points_consolidate_point_set(): more than half of the points "
                                 "coincide: no spacing to work with");
+  Consolidated_input input;
+  input.gaps = scan.gaps;
   input.frame = frame;
   input.data.reserve(scan.points.size());
   for(const Vec3& p : scan.points)
     input.data.push_back(frame.to_local(p));
-  for(Vec3& p : input.directions.missed)
-    p = frame.to_local(p);
-  const auto denoise = [&] {
-    if(!parameters.denoise_along_rays || input.directions.empty())
+  const auto denoise = [&](const Scan_directions& directions) {
+    if(!parameters.denoise_along_rays || directions.empty())
       return;
     Stage stage(execution, "denoising", 0.05 * share);
-    input.is_denoised = denoise_along_rays(execution, input.directions, input.data);
+    input.is_denoised = denoise_along_rays(execution, directions, input.data);
   };
-  denoise();
-  const bool is_known = !input.directions.empty();
-  make_particles<ConcurrencyTag>(execution, (is_known ? 0.9 : 0.5) * share, scan.hints, parameters, input);
-  if(is_known)
+  const auto make_particles = [&](double part) {
+    project_particles<ConcurrencyTag>(execution, 0.9 * part, parameters, input);
+    if(!scan.directions.empty()) {
+      input.directions = scan.directions;  // not before, for the sake of memory
+      for(Vec3& p : input.directions.missed)
+        p = input.frame.to_local(p);
+    }
+    orient_particles<ConcurrencyTag>(execution, 0.1 * part, scan.hints, parameters, input);
+  };
+  if(!scan.directions.empty()) {
+    denoise(scan.directions);
+    make_particles(0.9 * share);
     return input;
-  denoise();
+  }
+  make_particles(0.5 * share);
+  denoise(input.directions);
   if(input.is_denoised) {
     const double r = input.frame.unit / frame.unit;
     for(Vec3& p : input.data)
       p *= r;
     input.frame = frame;
     input.seen = Seen_part();
-    make_particles<ConcurrencyTag>(execution, 0.4 * share, scan.hints, parameters, input);
+    make_particles(0.4 * share);
   }
   return input;
 }

@@ -23,14 +23,18 @@ namespace internal {
 class Isolated_points {
   static constexpr std::size_t spacing_neighbors = 6;
   static constexpr std::size_t plane_neighbors = 12;
-  static constexpr double wide = 3.5;         ///< spacing of outliers, in median spacings of the scan; 3: 0.8 % of a noisy horse
-  static constexpr double sparse = 2.5;       ///< the same in spacings of the points around; 2: five times the mistakes
-  static constexpr double sparsest = 4;       ///< of points on the plane of these; without: pairs of outliers are missed
+  /// Spacing of outliers, in median spacings of the scan; 3: 0.8 % of a noisy horse.
+  static constexpr double wide = 3.5;
+  /// The same in spacings of the points around; 2: five times the mistakes.
+  static constexpr double sparse = 2.5;
+  /// The same of points on the plane of these; without: pairs of outliers are missed.
+  static constexpr double sparsest = 4;
   static constexpr double densest = 0.5;      ///< what the points around count for at least, in median spacings
   static constexpr double flat = 0.15;        ///< distance of points on a surface from their plane, in its extent
   static constexpr double least_share = 0.005;  ///< fewer lie in the sparse parts of any scan,
   static constexpr double far = 12;             ///< but not so far off, in median spacings
-  static constexpr double most_share = 0.25;    ///< more are another scan, noisier or sparser, or single points among copies
+  /// More are another scan, noisier or sparser, or single points among copies.
+  static constexpr double most_share = 0.25;
   static constexpr std::size_t least_points = 100;
 
 public:
@@ -43,10 +47,7 @@ public:
     std::vector<char> is_outlier(n, 0);
     if(n < least_points)
       return is_outlier;
-    std::vector<Index> kept(n);
-    for(std::size_t i = 0; i < n; ++i)
-      kept[i] = Index(i);
-    const Pass first(m_execution, m_points, 0);
+    const Pass first(m_execution, m_points);
     const std::vector<Index> found = first.find();
     if(double(found.size()) > most_share * double(n))
       return is_outlier;
@@ -58,19 +59,22 @@ public:
     for(const Index i : found)
       is_outlier[i] = 1;
     // those that were found had hidden others
+    std::vector<Index> kept = all_indices(n);
     kept.erase(std::remove_if(kept.begin(), kept.end(), [&](Index i) { return is_outlier[i] != 0; }), kept.end());
     const Points rest = selected(m_points, kept);
-    for(const Index k : Pass(m_execution, rest, first.scale).find())
+    Pass second(m_execution, rest);
+    second.scale = first.scale;
+    for(const Index k : second.find())
       is_outlier[kept[k]] = 1;
     return is_outlier;
   }
 
 private:
   struct Pass {
-    Pass(const Execution& execution_, const Points& points_, double scale_)
+    Pass(const Execution& execution_, const Points& points_)
       : execution(execution_), points(points_), tree(points_)
       , spacing(neighbor_distances(execution_, tree, points_, spacing_neighbors))
-      , scale(scale_ > 0 ? scale_ : median(spacing))
+      , scale(median(spacing))
     {}
 
     std::vector<Index> find() const
