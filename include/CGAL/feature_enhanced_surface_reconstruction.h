@@ -24,8 +24,8 @@ namespace CGAL {
   reconstructs a closed surface from a noisy, incomplete point set with the help of segments and curve
   skeletons: the whole of the feature-enhanced surfaces paper \cgalCite{cgal:wfglchc-fes-18}.
 
-  If wanted, normals are optimised across edges and points denoised (section III); the curve skeleton is extracted and the
-  points are segmented along it (section IV; the other order than the paper's, whose segments by density do
+  If wanted, normals are optimised across edges and points denoised (section III); the curve skeleton is extracted
+  and the points are segmented along it (section IV; the other order than the paper's, whose segments by density do
   not find parts of evenly sampled surfaces); each segment gets its surface from the data, or, where these are
   missing, from generalised cylinders around the skeleton with profiles of the data (section V); all are fused in
   one signed distance field, see `skeleton_driven_surface_reconstruction()`. Separate surfaces of the
@@ -37,8 +37,8 @@ namespace CGAL {
   its topology: handles of the surface that it does not have are removed, the weakest first. Of those that an extracted
   skeleton does not have, only the ones are removed whose bridge or tunnel is thinner than two cells.
 
-  Complexity: that of `extract_laplacian_contraction_skeleton()` of at most 5000 samples, \f$O(n \log n)\f$ for normals and
-  segments, and \f$O(a R^2)\f$ for the field, as for `skeleton_driven_surface_reconstruction()`.
+  Complexity: that of `extract_laplacian_contraction_skeleton()` of at most 5000 samples, \f$O(n \log n)\f$ for
+  normals and segments, and \f$O(a R^2)\f$ for the field, as for `skeleton_driven_surface_reconstruction()`.
 
   The result is the same, bit for bit, for any `ConcurrencyTag` and number of threads.
 
@@ -50,7 +50,8 @@ namespace CGAL {
   \param points at least 10 points with finite coordinates.
   \param skeleton the skeleton to use; if it is empty it is extracted, and receives the skeleton that was used.
   \param mesh receives the surface; unchanged if the callback cancels.
-  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+    below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -92,8 +93,8 @@ namespace CGAL {
     \cgalParamNBegin{segment_methods}
       \cgalParamDescription{what the surface of each segment is made from, in the order of the segments' numbers}
       \cgalParamType{a range of `Point_set_consolidation_3::Part_method`, by value or by `std::ref`}
-      \cgalParamDefault{`Part_method::AUTOMATIC` for all: from the data if the skeleton is extracted; from both if it is given,
-        with cylinders if data confirm at least 60 % of it}
+      \cgalParamDefault{`Part_method::AUTOMATIC` for all: from the data if the skeleton is extracted; from both if it
+        is given, with cylinders if data confirm at least 60 % of it and, in any case, where it crosses a gap}
     \cgalParamNEnd
     \cgalParamNBegin{grid_resolution}
       \cgalParamDescription{cells along the longest side of the bounding box, in [8, 1024]}
@@ -226,8 +227,8 @@ bool feature_enhanced_surface_reconstruction(
   \param skeleton a skeleton with radii whose vertices know their points.
   \param output receives the missing points.
   \param trusts_all whether all vertices count, for skeletons edited by hand.
-  \param named_parameters an optional sequence of named parameters: `point_map`, `normal_map` (outward; without it normals are
-  estimated), `geom_traits`.
+  \param named_parameters an optional sequence of named parameters: `point_map`, `normal_map` (outward; without it
+  normals are estimated), `geom_traits`.
 
   \return `output` past the last point.
   \throws std::invalid_argument if there are too few points, a coordinate is not finite, most points

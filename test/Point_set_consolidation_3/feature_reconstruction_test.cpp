@@ -14,6 +14,7 @@
 #include <iostream>
 #include <random>
 #include <set>
+#include <string>
 
 namespace {
 
@@ -194,6 +195,39 @@ void remove_handles()
   assert(thick.size_of_inside() > thick_size && thick.size_of_inside() < thick_size + 40); // one of radius 2.2
 }
 
+// Of an axis that is given, what is completed in any case: where the data have a gap, not where a thick part is around.
+void gaps_of_axis()
+{
+  constexpr double seen = 0.45, axis_radius = 0.08;
+  const auto gaps = [&](double tube_radius) {
+    Points points, normals;
+    for(int ring = 0; ring <= 100; ++ring) {
+      const double x = ring / 50.;
+      if(x > seen && x < 2 - seen)
+        continue;
+      for(int k = 0; k < 24; ++k) {
+        const double turn = 6.283185307179586 * (k + 0.5 * (ring % 2)) / 24;
+        normals.emplace_back(0, std::cos(turn), std::sin(turn));
+        points.push_back(Vec3(x, 0, 0) + tube_radius * normals.back());
+      }
+    }
+    internal::Skeleton_graph axis;
+    for(int k = 0; k <= 10; ++k) {
+      axis.nodes.push_back({Vec3(k / 5., 0, 0), axis_radius, {}});
+      if(k > 0)
+        axis.edges.push_back({std::size_t(k) - 1, std::size_t(k)});
+    }
+    const std::vector<char> is_gap = internal::gap_edges(axis, points, normals);
+    std::string text;
+    for(const char flag : is_gap)
+      text += flag ? '1' : '0';
+    return text;
+  };
+  std::cout << "gaps of a rod " << gaps(axis_radius) << ", in a thick tube " << gaps(0.7) << std::endl;
+  assert(gaps(axis_radius) == "0011111100");
+  assert(gaps(0.7) == "0000000000");  // its gap is as long as it is wide: all around faces away
+}
+
 }  // namespace
 
 int main()
@@ -214,6 +248,7 @@ int main()
   assert(again.triangles == with.triangles && again.vertices == with.vertices);
 
   remove_handles();
+  gaps_of_axis();
   measure_noise();
   reconstruct_noisy(points, normals);
 

@@ -93,8 +93,9 @@ enum class Segmentation_method : unsigned char {
 
 /// What the surface of a segment is made from, in `feature_enhanced_surface_reconstruction()`.
 enum class Part_method : unsigned char {
-  /// as `SKELETON` if the skeleton is given, with cylinders if data confirm most of the segment's part of it; as `DATA`
-  /// otherwise: centres and radii of an extracted skeleton do more harm than good where data are missing
+  /// as `SKELETON` if the skeleton is given, with cylinders where it crosses a gap of the data and all along if data
+  /// confirm most of the segment's part of it; as `DATA` otherwise: centres and radii of an extracted skeleton do
+  /// more harm than good where data are missing
   AUTOMATIC,
   /// from the points and their normals alone
   DATA,

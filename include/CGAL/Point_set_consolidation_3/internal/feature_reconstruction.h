@@ -56,6 +56,33 @@ inline std::vector<double> confirmed_shares(const Skeleton_graph& graph, const P
   return confirmed;
 }
 
+/// Edges of which an end or the middle lies in a gap of the data: the nearest points are farther than those of a tube
+/// would be, and do not face away from there as a thicker part around it would, but to the side.
+inline std::vector<char> gap_edges(const Skeleton_graph& graph, const Points& points, const Points& normals)
+{
+  constexpr std::size_t voters = 6;
+  constexpr double farther = 1.5;  // radii
+  const Nearest_neighbors tree(points);
+  const auto is_in_gap = [&](const Vec3& x, double radius) {
+    std::vector<Neighbor> near;
+    tree.find(x, voters, near);
+    if(!(near.front().squared_distance > farther * farther * radius * radius))
+      return false;
+    double sum = 0;
+    for(const Neighbor& neighbor : near)
+      sum += normals[neighbor.index].dot(normalized_or(x - points[neighbor.index], Vec3::Zero()));
+    return sum > -double(near.size()) / farther;  // the rim of a tube, from so many radii along its axis
+  };
+  std::vector<char> is_gap;
+  for(const Skeleton_edge& e : graph.edges) {
+    const Skeleton_node& a = graph.nodes[e[0]];
+    const Skeleton_node& b = graph.nodes[e[1]];
+    is_gap.push_back(is_in_gap(a.position, a.radius) || is_in_gap(b.position, b.radius) ||
+                     is_in_gap((a.position + b.position) / 2, (a.radius + b.radius) / 2));
+  }
+  return is_gap;
+}
+
 /// Typical distance of the points from the planes of their neighbours. Points in units of their spacing.
 inline double measured_noise(const Execution& execution, const Points& points)
 {
@@ -180,13 +207,15 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
   const std::vector<std::size_t> segment = segments_of_edges(result.skeleton, result.segmentation);
   const std::vector<double> confirmed =
     confirmed_shares(result.skeleton, points, segment, result.segmentation.count);
+  const std::vector<char> is_gap = gap_edges(result.skeleton, points, normals);
   std::vector<char> is_wanted, is_constraint;
-  for(const std::size_t s : segment) {
+  for(std::size_t e = 0; e < segment.size(); ++e) {
+    const std::size_t s = segment[e];
     const Part_method method =
       s < settings.methods.size() ? settings.methods[s] : Part_method::AUTOMATIC;
     is_wanted.push_back(method == Part_method::SKELETON ||
                         (method == Part_method::AUTOMATIC && !given.nodes.empty() &&
-                         confirmed[s] >= confirmed_enough));
+                         (is_gap[e] || confirmed[s] >= confirmed_enough)));
     // an extracted skeleton has wrong centres and radii beside missing data, where normals know better
     is_constraint.push_back(method == Part_method::SKELETON ||
                             (method == Part_method::AUTOMATIC && !given.nodes.empty()));
