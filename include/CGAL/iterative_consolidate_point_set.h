@@ -39,9 +39,9 @@ namespace CGAL {
   It pays for large smooth holes. At thin and occluded parts an extended surface is a wrong guess; therefore
   added points must pass guards that are not in the paper: no ray of the scanner has passed there (if
   directions are known), no sheet of data that faces the other way is near, they rise from the data by
-  less than 49 degrees, the regions that they form continue the data's normals at their rim, rise by less than 37
-  degrees unless they reach no farther from the data than \f$h\f$, reach farther than holes that Poisson
-  reconstruction closes by itself, and no border is left open.
+  less than 49 degrees, the regions that they form continue the data's normals at their rim and have data all around
+  (no angle of 92 degrees without, seen from their middle), they reach farther than holes that Poisson reconstruction
+  closes by itself, and no border is left open.
 
   Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, and nearer ones that are sparser than the
   points around and lie off the quadric that these follow, by more than 0.07 \f$h\f$ and three times their median
@@ -77,8 +77,8 @@ namespace CGAL {
     \cgalParamNBegin{normal_map}
       \cgalParamDescription{oriented normals; they are what is written, unless they are only hints}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
-      \cgalParamDefault{none: normals of quadrics fitted to 18 neighbours, oriented as in Section \ref PSC3Orientation and
-        a vote of neighbours}
+      \cgalParamDefault{none: normals of quadrics fitted to 18 neighbours, oriented as in Section \ref
+        PSC3Orientation and a vote of neighbours}
       \cgalParamExtra{Points with a zero normal get an estimated one.}
     \cgalParamNEnd
     \cgalParamNBegin{orientation_is_hint}

@@ -12,6 +12,7 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <iostream>
@@ -479,6 +480,35 @@ void degenerate_input_is_handled()
   }
 }
 
+/// A hole of a plane, of radius 0.7 h, filled: what is added is kept if the data close around it.
+void only_holes_with_data_all_around_are_filled()
+{
+  constexpr double h = 1, hole = 0.7, spacing = 0.05;
+  const auto is_filling_kept = [&](double opening) {
+    core::Points data, filling;
+    for(double x = -2; x <= 2; x += spacing)
+      for(double y = -2; y <= 2; y += spacing) {
+        const Vec3 p(x, y, 0);
+        if(p.norm() < hole)
+          filling.push_back(p);
+        else if(std::abs(std::atan2(y, x)) > opening / 2)
+          data.push_back(p);
+      }
+    const core::Points normals(data.size(), Vec3::UnitZ());
+    const core::Free_space space;
+    const core::Placement_guard guard(data, normals, space, h, core::Guard_parameters());
+    const core::Execution execution = {false, core::Progress(), {}};
+    const std::vector<char> is_doubtful =
+      guard.doubtful_regions(execution, filling, core::Points(filling.size(), Vec3::UnitZ()), 0.4 * h);
+    const auto doubtful = std::count(is_doubtful.begin(), is_doubtful.end(), char(1));
+    assert(doubtful == 0 || std::size_t(doubtful) == filling.size());  // the region is one
+    return doubtful == 0;
+  };
+  const double degree = 3.14159265358979324 / 180;
+  assert(is_filling_kept(0) && is_filling_kept(60 * degree));
+  assert(!is_filling_kept(120 * degree) && !is_filling_kept(180 * degree));
+}
+
 }  // namespace
 
 int main()
@@ -497,6 +527,7 @@ int main()
   RUN(closes_a_large_hole(true));
   RUN(closes_a_large_hole(false));
   RUN(open_sheets_are_not_extended());
+  RUN(only_holes_with_data_all_around_are_filled());
   RUN(reports_outliers_and_keeps_the_static_region());
   RUN(options_run_and_results_do_not_depend_on_the_frame_or_threads());
   RUN(callback_is_monotone_and_cancels());

@@ -13,6 +13,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
+#include <CGAL/number_type_config.h>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -30,24 +32,16 @@ struct Guard_parameters {
   /// Sine of the largest elevation over the tangent plane of the nearest data: more than 45 degrees, what
   /// the pole of a missing hemisphere has, is no continuation of its rim.
   double largest_elevation = 0.75;
-  /// A region of completed points is taken back as a whole if it rises higher than this anywhere, ...
-  double largest_region_elevation = 0.7;
+  /// A region of completed points is taken back as a whole if the data do not close around it: if, seen from its
+  /// middle, no data within `rim` distances of the nearest lie in an angle as wide as this, in radians. Holes are
+  /// closed all around; creases between parts that occluded each other, and borders of views, are open or long. ...
+  double largest_opening = 1.6;
+  double rim = 1.3;
   /// ... or if its normals differ more from the data's along its rim (mean cosine): it bends off instead of
-  /// going on.
-  double least_rim_cosine = 0.95;
-  /// Regions that reach no farther from the data are bounded all around by near data: their normals may differ by
-  /// this mean cosine.
-  double small_reach = 1;
-  double least_small_rim_cosine = 0.7;
-  /// Where the mean normal of a region's rim is shorter than this, the hole is a crease between parts that
-  /// occluded each other and not a patch of one sheet, unless it is wide (in units of h).
-  double least_rim_flatness = 0.6;
-  double wide_reach = 1.5;
-  /// A region is also taken back if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
+  /// going on; ...
+  double least_rim_cosine = 0.85;
+  /// ... or if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
   double least_reach = 0.45;
-  /// Share of all added points that must pass, else all are taken back: where most extensions fail, gaps are
-  /// occlusions rather than holes, and the regions that pass are not better founded.
-  double least_accepted_share = 0.5;
 };
 
 class Placement_guard {
@@ -66,13 +60,10 @@ public:
            (!is_seen_through(x) && !opposes_data(x, normal) && continues_data(x));
   }
 
-  /// Flags the regions, neighbours within `radius`, that are no plausible continuation of the data as a
-  /// whole. `number_added`: how many points there were before some were taken back.
+  /// Flags the regions, neighbours within `radius`, that are no plausible continuation of the data as a whole.
   std::vector<char> doubtful_regions(const Execution& execution, const Points& points,
-                                     const Points& normals, double radius,
-                                     std::size_t number_added) const
+                                     const Points& normals, double radius) const
   {
-    constexpr double rim = 0.35;  // of h: nearer to the data than this is a region's rim
     std::vector<char> is_doubtful(points.size(), 0);
     if(!m_parameters.enabled || m_data == nullptr || points.empty())
       return is_doubtful;
@@ -81,52 +72,56 @@ public:
                  [&](std::size_t i) { nearest[i] = m_tree->nearest(points[i]); });
     for(std::vector<Index>& members : connected_components(points, radius)) {
       std::sort(members.begin(), members.end());  // sums in the points' order
-      Region region;
-      for(const Index i : members) {
-        const Vec3& n = (*m_normals)[nearest[i].index];
-        const double distance = std::sqrt(nearest[i].squared_distance);
-        if(distance > beside * m_h)
-          region.elevation =
-            (std::max)(region.elevation,
-                       std::abs(n.dot(points[i] - (*m_data)[nearest[i].index])) / distance);
-        region.reach = (std::max)(region.reach, distance);
-        if(distance < rim * m_h) {
-          region.cosine += n.dot(normals[i]);
-          region.rim_normals += n;
-          ++region.rim_points;
-        }
-      }
-      const char is_bad = is_doubtful_region(region);
-      for(const Index i : members)
-        is_doubtful[i] = is_bad;
+      if(is_doubtful_region(points, normals, nearest, members))
+        for(const Index i : members)
+          is_doubtful[i] = 1;
     }
-    const std::size_t accepted =
-      std::size_t(std::count(is_doubtful.begin(), is_doubtful.end(), char(0)));
-    if(double(accepted) < m_parameters.least_accepted_share * double(number_added))
-      std::fill(is_doubtful.begin(), is_doubtful.end(), char(1));
     return is_doubtful;
   }
 
 private:
   static constexpr double beside = 0.2;  ///< of h: on the data, where the elevation is noise
 
-  /// Added points that hang together, and the data beside them.
-  struct Region {
-    double elevation = 0, reach = 0, cosine = 0;
-    Vec3 rim_normals = Vec3::Zero();
-    std::size_t rim_points = 0;
-  };
-
-  bool is_doubtful_region(const Region& region) const
+  /// Of added points that hang together. `nearest`: data of each point.
+  bool is_doubtful_region(const Points& points, const Points& normals, const std::vector<Neighbor>& nearest,
+                          const std::vector<Index>& members) const
   {
-    const bool is_small = region.reach <= m_parameters.small_reach * m_h;
-    const double least_cosine =
-      is_small ? m_parameters.least_small_rim_cosine : m_parameters.least_rim_cosine;
-    const bool is_wide = region.reach > m_parameters.wide_reach * m_h;
-    return region.elevation > m_parameters.largest_region_elevation ||
-           region.reach < m_parameters.least_reach * m_h ||
-           region.cosine < least_cosine * double(region.rim_points) ||
-           (!is_wide && region.rim_normals.norm() < m_parameters.least_rim_flatness * double(region.rim_points));
+    constexpr double beside_rim = 0.35;  // of h: nearer to the data than this is a region's rim
+    double reach = 0, cosine = 0;
+    Vec3 middle = Vec3::Zero(), rim_normal = Vec3::Zero();
+    std::size_t rim_points = 0;
+    for(const Index i : members) {
+      const double distance = std::sqrt(nearest[i].squared_distance);
+      reach = (std::max)(reach, distance);
+      middle += points[i] / double(members.size());
+      if(distance < beside_rim * m_h) {
+        const Vec3& n = (*m_normals)[nearest[i].index];
+        cosine += n.dot(normals[i]);
+        rim_normal += n;
+        ++rim_points;
+      }
+    }
+    return rim_points == 0 || reach < m_parameters.least_reach * m_h ||
+           cosine < m_parameters.least_rim_cosine * double(rim_points) ||
+           opening(middle, normalized_or(rim_normal, Vec3::UnitZ())) > m_parameters.largest_opening;
+  }
+
+  /// The widest angle around a place, in the plane of a normal, without data near the nearest's distance.
+  double opening(const Vec3& place, const Vec3& normal) const
+  {
+    const double nearest = std::sqrt(m_tree->nearest(place).squared_distance);
+    const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+    std::vector<double> angles;
+    m_grid.for_each_neighbor(place, m_parameters.rim * nearest, [&](Index j, double) {
+      const Vec3 d = (*m_data)[j] - place;
+      angles.push_back(std::atan2(d.dot(v), d.dot(u)));
+      return true;
+    });
+    std::sort(angles.begin(), angles.end());
+    double widest = angles.front() + 2 * CGAL_PI - angles.back();
+    for(std::size_t k = 1; k < angles.size(); ++k)
+      widest = (std::max)(widest, angles[k] - angles[k - 1]);
+    return widest;
   }
 
   bool is_seen_through(const Vec3& x) const
