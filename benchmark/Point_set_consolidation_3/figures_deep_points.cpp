@@ -240,7 +240,8 @@ Figure_result figure_8(const std::string& data)
   const Scan scan = scan_of(truth, 1, 20000);
   const Judge judge(truth, truth_cloud(scan));
   Figure_result figure;
-  Figure_table table{"knot1, one view; unseen part within 1 % of a point", {"covered", "to truth", "95 %", "spacing"}, {}};
+  Figure_table table{
+      "knot1, one view; unseen part within 1 % of a point", {"covered", "to truth", "95 %", "spacing"}, {}};
   for(const char* term : {"full", "normal"})
     for(const std::size_t iterations : {1, 15, 60, 120}) {
       const Consolidation_result result = deep_points(scan.cloud, 4000, [&](Consolidation_options& o) {
@@ -260,8 +261,9 @@ Figure_result figure_8(const std::string& data)
 }
 
 /// Deep points for values of one parameter, on one scan.
-Figure_result parameter_figure(const Triangle_mesh& truth, const std::vector<std::pair<std::string, Scan>>& scans,
-                               const std::vector<std::pair<std::string, std::function<void(Consolidation_options&)>>>& values)
+Figure_result parameter_figure(
+    const Triangle_mesh& truth, const std::vector<std::pair<std::string, Scan>>& scans,
+    const std::vector<std::pair<std::string, std::function<void(Consolidation_options&)>>>& values)
 {
   Figure_result figure;
   for(const auto& scan : scans) {
@@ -585,12 +587,14 @@ Figure_result table_1(const std::string& data)
   support::Series ours{"this package", {}, {}}, paper{"paper", {}, {}};
   for(const Paper_class& c : deep_points_classes()) {
     const Point_cloud cloud = scan_of(figure_model(data, c.model), 3, c.points, 0.1).cloud;
-    const Consolidation_result result = deep_points(cloud, (std::min)(c.particles, cloud.size()), [](Consolidation_options& o) {
-        o.completed_spacing = 0;  // as many deep points as the paper has
-      });
+    const Consolidation_result result
+        = deep_points(cloud, (std::min)(c.particles, cloud.size()), [](Consolidation_options& o) {
+            o.completed_spacing = 0;  // as many deep points as the paper has
+          });
     double wlop = 0, deep = 0;
     for(const auto& time : result.times) {
-      const bool is_input = time.name == "outliers" || time.name == "denoising" || time.name == "wlop" || time.name == "normals";
+      const bool is_input
+          = time.name == "outliers" || time.name == "denoising" || time.name == "wlop" || time.name == "normals";
       (is_input ? wlop : deep) += time.seconds;
     }
     const double n = double(result.consolidated.size());

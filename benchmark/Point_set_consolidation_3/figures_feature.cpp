@@ -170,7 +170,8 @@ Figure_result figure_2(const std::string& data)
   Figure_result figure;
   for(const bool even : {true, false}) {
     const Part part(data, even);
-    Figure_table table{std::string("fandisk, 0.3 % noise, ") + (even ? "even" : "uneven") + " density", part_columns, {}};
+    Figure_table table{
+        std::string("fandisk, 0.3 % noise, ") + (even ? "even" : "uneven") + " density", part_columns, {}};
     const auto add = [&](const std::string& name, const Point_cloud& cloud) {
       table.rows.push_back(part_row(name, part, cloud));
       figure.panels.push_back(cloud_panel(name, cloud));

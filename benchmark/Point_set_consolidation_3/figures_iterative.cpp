@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Point_set_consolidation_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Figures of the iterative consolidation paper. Its scans are not public, but for the armadillo: virtual scans stand in.
+// Figures of the iterative consolidation paper. Its scans are not public, but for the armadillo: virtual
+// scans stand in.
 
 #include "iterative_runs.h"
 #include "mesh_tree.h"
@@ -173,11 +174,11 @@ void add_holes(Figure_result& figure, const std::string& title, const Judge& jud
     const Iterative_run run = consolidate_iteratively(holes.cloud);
     const Triangle_mesh before = poisson(holes.cloud), after = poisson(run.cloud);
     const Mesh_verdict verdict_before = judge.mesh(before), verdict_after = judge.mesh(after);
-    table.rows.push_back({"samples " + std::to_string(seed),
-                          {holes.coverage(run.cloud), holes.coverage(run.cloud, 0.025),
-                           100 * holes.distances(run.cloud).back(), double(run.added.size()), error_of(judge, run.added),
-                           verdict_before.forward.mean, verdict_after.forward.mean, verdict_before.forward.max,
-                           verdict_after.forward.max}});
+    table.rows.push_back(
+        {"samples " + std::to_string(seed),
+         {holes.coverage(run.cloud), holes.coverage(run.cloud, 0.025), 100 * holes.distances(run.cloud).back(),
+          double(run.added.size()), error_of(judge, run.added), verdict_before.forward.mean,
+          verdict_after.forward.mean, verdict_before.forward.max, verdict_after.forward.max}});
     if(seed == 1) {
       figure.panels.push_back(cloud_panel("input", holes.cloud));
       figure.panels.push_back(mesh_panel("Poisson of input", before));
@@ -419,7 +420,8 @@ Figure_table orientation_of_scans(const std::string& data)
 Figure_result figure_11(const std::string& data)
 {
   Figure_result figure;
-  Figure_table table{"share of normals that point inwards", {"CGAL PCA and MST", "this package", "near pairs that disagree"}, {}};
+  Figure_table table{
+      "share of normals that point inwards", {"CGAL PCA and MST", "this package", "near pairs that disagree"}, {}};
   const Triangle_mesh truth = figure_model(data, "bunny00");
   for(const double noise : {0.0, 0.2, 0.5}) {
     Random_numbers random(4);

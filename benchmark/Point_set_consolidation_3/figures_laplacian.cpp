@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Point_set_consolidation_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Figures of the paper on skeletons by Laplacian contraction. CGAL's models and synthetic shapes stand in for its models.
+// Figures of the paper on skeletons by Laplacian contraction. CGAL's models and synthetic shapes stand in for its
+// models.
 
 #include "methods.h"
 #include "models.h"
@@ -365,7 +366,8 @@ Figure_result times(const std::string& data)
 {
   const Triangle_mesh truth = figure_model(data, "armadillo");
   Figure_result figure;
-  Figure_table table{"armadillo; the paper: under 120 s at 10k points, in MATLAB", {"seconds", "iterations", "cycles"}, {}};
+  Figure_table table{
+      "armadillo; the paper: under 120 s at 10k points, in MATLAB", {"seconds", "iterations", "cycles"}, {}};
   support::Series series{"this package", {}, {}, support::Series::Shape::marked_line};
   for(const std::size_t n : {2500, 5000, 10000, 20000, 30000}) {
     const Skeleton_run run = laplacian_skeleton(even_samples(truth, n), {});
@@ -386,7 +388,8 @@ Figure_result times(const std::string& data)
 
 /// The same numbers for each kind of skeleton, and their summary.
 struct Kinds_table {
-  Figure_table rows{"", {"genus", "cycles", "components", "tips", "inside", "coverage", "to medial axis", "seconds"}, {}};
+  Figure_table rows{
+      "", {"genus", "cycles", "components", "tips", "inside", "coverage", "to medial axis", "seconds"}, {}};
   struct Sum {
     double right = 0, false_cycles = 0, components = 0, tips = 0, inside = 0, coverage = 0, distance = 0, seconds = 0;
     double count = 0;

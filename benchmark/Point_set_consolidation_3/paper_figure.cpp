@@ -64,18 +64,22 @@ std::vector<std::pair<std::string, std::vector<synthetic::Shape>>> assembled_sha
   using synthetic::capsule;
   const auto ball = [](const Vec3& c, double r) { return capsule(c, c + Vec3(1e-6, 0, 0), r); };
   return {
-    {"dumbbell", {ball(Vec3(-1, 0, 0), 0.5), ball(Vec3(1, 0, 0), 0.5), capsule(Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.12)}},
-    {"Y", {capsule(Vec3(0, 0, 0), Vec3(0, -1.2, 0), 0.2), capsule(Vec3(0, 0, 0), Vec3(-0.9, 0.9, 0), 0.2),
-           capsule(Vec3(0, 0, 0), Vec3(0.9, 0.9, 0), 0.2)}},
-    {"creature",
-     {capsule(Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.45), capsule(Vec3(1.2, 0, 0.2), Vec3(1.8, 0, 0.9), 0.2),
-      ball(Vec3(1.9, 0, 1.1), 0.35), capsule(Vec3(-0.8, 0.3, 0), Vec3(-0.9, 0.5, -1.2), 0.13),
-      capsule(Vec3(-0.8, -0.3, 0), Vec3(-0.9, -0.5, -1.2), 0.13), capsule(Vec3(0.8, 0.3, 0), Vec3(0.9, 0.5, -1.2), 0.13),
-      capsule(Vec3(0.8, -0.3, 0), Vec3(0.9, -0.5, -1.2), 0.13), capsule(Vec3(-1.3, 0, 0.1), Vec3(-2.2, 0, 0.5), 0.08)}},
-    {"hand",
-     {capsule(Vec3(0, -0.6, 0), Vec3(0, 0.2, 0), 0.42), capsule(Vec3(-0.36, 0.3, 0), Vec3(-0.6, 1.3, 0), 0.11),
-      capsule(Vec3(-0.12, 0.4, 0), Vec3(-0.2, 1.55, 0), 0.11), capsule(Vec3(0.12, 0.4, 0), Vec3(0.2, 1.5, 0), 0.11),
-      capsule(Vec3(0.36, 0.3, 0), Vec3(0.6, 1.2, 0), 0.1), capsule(Vec3(0.35, -0.3, 0), Vec3(1.1, 0.3, 0), 0.13)}},
+      {"dumbbell",
+       {ball(Vec3(-1, 0, 0), 0.5), ball(Vec3(1, 0, 0), 0.5), capsule(Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.12)}},
+      {"Y",
+       {capsule(Vec3(0, 0, 0), Vec3(0, -1.2, 0), 0.2), capsule(Vec3(0, 0, 0), Vec3(-0.9, 0.9, 0), 0.2),
+        capsule(Vec3(0, 0, 0), Vec3(0.9, 0.9, 0), 0.2)}},
+      {"creature",
+       {capsule(Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.45), capsule(Vec3(1.2, 0, 0.2), Vec3(1.8, 0, 0.9), 0.2),
+        ball(Vec3(1.9, 0, 1.1), 0.35), capsule(Vec3(-0.8, 0.3, 0), Vec3(-0.9, 0.5, -1.2), 0.13),
+        capsule(Vec3(-0.8, -0.3, 0), Vec3(-0.9, -0.5, -1.2), 0.13),
+        capsule(Vec3(0.8, 0.3, 0), Vec3(0.9, 0.5, -1.2), 0.13),
+        capsule(Vec3(0.8, -0.3, 0), Vec3(0.9, -0.5, -1.2), 0.13),
+        capsule(Vec3(-1.3, 0, 0.1), Vec3(-2.2, 0, 0.5), 0.08)}},
+      {"hand",
+       {capsule(Vec3(0, -0.6, 0), Vec3(0, 0.2, 0), 0.42), capsule(Vec3(-0.36, 0.3, 0), Vec3(-0.6, 1.3, 0), 0.11),
+        capsule(Vec3(-0.12, 0.4, 0), Vec3(-0.2, 1.55, 0), 0.11), capsule(Vec3(0.12, 0.4, 0), Vec3(0.2, 1.5, 0), 0.11),
+        capsule(Vec3(0.36, 0.3, 0), Vec3(0.6, 1.2, 0), 0.1), capsule(Vec3(0.35, -0.3, 0), Vec3(1.1, 0.3, 0), 0.13)}},
   };
 }
 

@@ -49,7 +49,8 @@ bool parse(Options& o, int argc, char** argv)
   line.option("--mesh-distance", "X", o.mesh_distance,
               "largest distance of the mesh's facets from the surface, in spacings of the meshed points")
     .between(0.01, 1);
-  line.option("--completed", "FILE", o.completed, "the completed input, your points (without outliers) first and in order");
+  line.option("--completed", "FILE", o.completed,
+              "the completed input, your points (without outliers) first and in order");
   line.option("--inner", "FILE", o.inner, "inner points (meso-skeleton), .ply with radius and label: "
               "0 curve, 1 sheet, 2 end, 3 unanchored");
   line.option("--deep-points", "FILE", o.deep_points, "outer and inner points joined by edges (.ply)");

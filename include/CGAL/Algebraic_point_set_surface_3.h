@@ -18,8 +18,8 @@ namespace CGAL {
   \ingroup PkgPointSetConsolidation3Operators
 
   The algebraic point set surface of oriented points \cgalCite{cgal:gg-apss-07}, as a scalar field near the
-  points: for any query an algebraic sphere \f$s(y) = u_0 + (u_1, u_2, u_3) \cdot y + u_4\, y \cdot y\f$ is fitted to the
-  points around it, with weights \f$(1 - r^2/h^2)^4\f$; its zero set and gradient at the query are those of
+  points: for any query an algebraic sphere \f$s(y) = u_0 + (u_1, u_2, u_3) \cdot y + u_4\, y \cdot y\f$ is fitted to
+  the points around it, with weights \f$(1 - r^2/h^2)^4\f$; its zero set and gradient at the query are those of
   the surface. See appendix II of \cgalCite{cgal:lcw-icupc-12}.
 
   The fit is exact for points on spheres and planes. The sphere's centre is never formed: planes, and offsets far

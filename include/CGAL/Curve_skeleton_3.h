@@ -209,8 +209,8 @@ void delete_branch(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
   internal::edit(skeleton, [&](auto& editor) { editor.delete_branch(v); });
 }
 
-/// opens the shortest cycle through `v`: removes the chain of vertices that `v` is on or, if `v` is a branch vertex, the
-/// longest edge of the cycle.
+/// opens the shortest cycle through `v`: removes the chain of vertices that `v` is on or, if `v` is a branch vertex,
+/// the longest edge of the cycle.
 template <typename Kernel>
 void delete_cycle(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
 {
@@ -265,8 +265,9 @@ std::size_t bridge_components(Curve_skeleton_3<Kernel>& skeleton, typename Kerne
 }
 
 /*!
-applies edits from a text, so that a repair can be kept and repeated. One edit per line, `#` begins a comment. Vertices have
-their numbers in the skeleton as it is given, whatever is removed before; added ones have the next numbers:
+applies edits from a text, so that a repair can be kept and repeated. One edit per line, `#` begins a comment.
+Vertices have their numbers in the skeleton as it is given, whatever is removed before; added ones have the next
+numbers:
 
     move V X Y Z          connect V W         remove V             radius V R
     add X Y Z [R]         disconnect V W      delete_branch V      scale_radii FACTOR

@@ -26,7 +26,8 @@ namespace CGAL {
   the steps that it needs before it. Results do not depend on `ConcurrencyTag`, bit for bit, nor on the
   unit of the input.
 
-  Complexity: \f$O(n^{1.5})\f$ in the number of contracted points, nearly all of it the factorisations of `contract_geometry()`.
+  Complexity: \f$O(n^{1.5})\f$ in the number of contracted points, nearly all of it the factorisations of
+  `contract_geometry()`.
 
   \tparam Traits a model of `Kernel`, floating point coordinates.
   \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.

@@ -30,7 +30,8 @@ namespace CGAL {
   \tparam PointRange a model of `Range` whose iterator is a `ForwardIterator`.
 
   \param points at least 10 points with finite coordinates. Their normals are replaced.
-  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+    below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -38,12 +39,13 @@ namespace CGAL {
       \cgalParamDefault{`CGAL::Identity_property_map<geom_traits::Point_3>`}
     \cgalParamNEnd
     \cgalParamNBegin{normal_map}
-      \cgalParamDescription{normals; the given ones tell the sides if none of them is zero, otherwise sides are found as in
-        Section \ref PSC3Orientation}
+      \cgalParamDescription{normals; the given ones tell the sides if none of them is zero, otherwise sides are found
+        as in Section \ref PSC3Orientation}
       \cgalParamType{a model of `ReadWritePropertyMap` with value type `geom_traits::Vector_3`}
     \cgalParamNEnd
     \cgalParamNBegin{sharpness_angle}
-      \cgalParamDescription{\f$\alpha\f$ of equation (5): normals that differ by more are not averaged, degrees, (0, 90)}
+      \cgalParamDescription{\f$\alpha\f$ of equation (5): normals that differ by more are not averaged, degrees, (0,
+        90)}
       \cgalParamType{floating scalar value}
       \cgalParamDefault{20}
     \cgalParamNEnd
@@ -143,7 +145,8 @@ bool optimize_normals_across_edges(PointRange& points, const NamedParameters& na
   \param points at least 10 points with finite coordinates and normals, best those of
   `anisotropic_wlop_simplify_and_regularize_point_set()`: normals that are smooth across edges have no edges.
   \param output receives the given points, then the new ones; nothing is written if the callback cancels.
-  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+    below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}

@@ -38,7 +38,8 @@ namespace CGAL {
 
   \param points at least 10 points with finite coordinates.
   \param output receives points and normals; nothing is written if the callback cancels.
-  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+    below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}

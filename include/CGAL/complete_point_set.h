@@ -21,8 +21,9 @@ namespace CGAL {
   The deep points of \cgalCite{cgal:wshcl-dpc-15}, section 4.1, give each point of the consolidated
   set a ball inside of the shape. Balls are clipped by the data and by the space that rays have passed; their
   union is smoothed and sampled farther than six spacings from the data: smaller gaps are bridged better by the
-  mesher. If the scan shows that the shape has a mirror plane, the measured side completes the other one. This is not the paper's own completion, which `deep_points_consolidate_point_set()` offers; it
-  is more accurate on shapes that are no tubes.
+  mesher. If the scan shows that the shape has a mirror plane, the measured side completes the other one. This is not
+  the paper's own completion, which `deep_points_consolidate_point_set()` offers; it is more accurate on shapes that
+  are no tubes.
 
   The input is neither changed nor reordered; the result does not depend on `ConcurrencyTag`, bit for bit.
 
@@ -38,11 +39,12 @@ namespace CGAL {
   \param points at least 10 points with finite coordinates.
   \param output receives the missing points: `outer()` on the surface, `inner()` the centre of the ball,
   `normal()` outwards, `confidence()`. Nothing is written if the callback cancels, or if nothing is missing.
-  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
-  `view_direction_map`, `view_index_map`, `scanner_positions`, `number_of_output_points` (of the consolidated
-  set), `select_percentage`, `neighbor_radius`, `number_of_iterations`, `require_uniform_sampling`,
-  `collision_angle`, `smoothing_radius`, `collision_radius`, `closing_step`, `denoise_along_rays`, `detect_outliers`, `outlier_output_iterator`, `missed_rays`, `callback`, `stage_times`
-  and `geom_traits` as in `deep_points_consolidate_point_set()`, and those listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`,
+  `normal_map`, `view_direction_map`, `view_index_map`, `scanner_positions`, `number_of_output_points` (of the
+  consolidated set), `select_percentage`, `neighbor_radius`, `number_of_iterations`, `require_uniform_sampling`,
+  `collision_angle`, `smoothing_radius`, `collision_radius`, `closing_step`, `denoise_along_rays`, `detect_outliers`,
+  `outlier_output_iterator`, `missed_rays`, `callback`, `stage_times` and `geom_traits` as in
+  `deep_points_consolidate_point_set()`, and those listed below
   \cgalNamedParamsBegin
     \cgalParamNBegin{prior}
       \cgalParamDescription{what is assumed of the shape in a gap}
@@ -73,9 +75,10 @@ namespace CGAL {
       \cgalParamType{Boolean}
       \cgalParamDefault{symmetry is used, unless `prior` or `prior_map` ask for something else than
         `VOLUME_PRESERVING`, or `maximum_hole_size` is given}
-      \cgalParamExtra{Directions or positions of the scanner must be known, or found because the scan is from one side. A plane is accepted if
-        at least 80 percent of the reflected points that face the scanner lie on the data, and those that lie in free
-        space are less than 5 percent of them (2 percent if the direction was found). Where they do, the shape is taken for asymmetric.}
+      \cgalParamExtra{Directions or positions of the scanner must be known, or found because the scan is from one
+        side. A plane is accepted if at least 80 percent of the reflected points that face the scanner lie on the
+        data, and those that lie in free space are less than 5 percent of them (2 percent if the direction was
+        found). Where they do, the shape is taken for asymmetric.}
     \cgalParamNEnd
     \cgalParamNBegin{denoised_point_map}
       \cgalParamDescription{receives the positions of the caller's points as they should be meshed: unchanged
@@ -86,7 +89,8 @@ namespace CGAL {
       \cgalParamDefault{unused}
     \cgalParamNEnd
     \cgalParamNBegin{denoised_normal_map}
-      \cgalParamDescription{receives their unit normals, pointing outwards; outliers get that of the nearest other point}
+      \cgalParamDescription{receives their unit normals, pointing outwards; outliers get that of the nearest other
+        point}
       \cgalParamType{a model of `WritablePropertyMap` with value type `geom_traits::Vector_3`}
       \cgalParamDefault{unused}
     \cgalParamNEnd

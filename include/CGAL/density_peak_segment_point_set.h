@@ -37,7 +37,8 @@ namespace CGAL {
 
   \param points at least 4 points with finite coordinates.
   \param label_map receives the number of each point's segment.
-  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+    below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}

@@ -35,7 +35,8 @@ namespace CGAL {
 
   \param points at least 10 points with finite coordinates.
   \param skeleton receives the skeleton; unchanged if the callback cancels.
-  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  \param named_parameters an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+    below
   \cgalNamedParamsBegin
     \cgalParamNBegin{point_map}
       \cgalParamDescription{positions of the points}
@@ -43,8 +44,8 @@ namespace CGAL {
       \cgalParamDefault{`CGAL::Identity_property_map<geom_traits::Point_3>`}
     \cgalParamNEnd
     \cgalParamNBegin{segment_map}
-      \cgalParamDescription{number of each point's segment: the skeleton of each segment is extracted by itself; those of
-        segments that touch are joined by an edge between their nearest vertices, without cycles}
+      \cgalParamDescription{number of each point's segment: the skeleton of each segment is extracted by itself;
+        those of segments that touch are joined by an edge between their nearest vertices, without cycles}
       \cgalParamType{a model of `ReadablePropertyMap` with an integer value type, values from 0}
       \cgalParamDefault{none: one skeleton}
     \cgalParamNEnd
@@ -54,8 +55,8 @@ namespace CGAL {
       \cgalParamDefault{700}
     \cgalParamNEnd
     \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{\f$h_0\f$, support radius of \f$\theta(r) = e^{-16 r^2/h^2}\f$ at the start, in the unit of the
-        input; it grows by half of it until half the diagonal}
+      \cgalParamDescription{\f$h_0\f$, support radius of \f$\theta(r) = e^{-16 r^2/h^2}\f$ at the start, in the unit
+        of the input; it grows by half of it until half the diagonal}
       \cgalParamType{floating scalar value, not negative; 0 for the default}
       \cgalParamDefault{\f$2\, d_{bb}/\sqrt[3]{n}\f$}
     \cgalParamNEnd

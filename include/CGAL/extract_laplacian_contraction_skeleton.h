@@ -82,8 +82,8 @@ namespace CGAL {
       \cgalParamDefault{1}
     \cgalParamNEnd
     \cgalParamNBegin{contraction_factor}
-      \cgalParamDescription{\f$s_L\f$, by which the weight of the contraction grows in an iteration; 2 is gentler to shapes
-        with thin limbs between thick parts}
+      \cgalParamDescription{\f$s_L\f$, by which the weight of the contraction grows in an iteration; 2 is gentler to
+        shapes with thin limbs between thick parts}
       \cgalParamType{floating scalar value, at least 1}
       \cgalParamDefault{3}
     \cgalParamNEnd

@@ -108,15 +108,15 @@ std::size_t number_of_sheets(const Meso_skeleton_3<Kernel>& skeleton)
 
   An inner point is on a sheet if the normals of the surface around its anchor are nearly parallel to one line (mean
   squared cosine above 0.75), in a region at least twice as wide as thick; the region's rim belongs to it.
-  Sheets are triangulated between the means of groups of anchors, which cover them up to their rims. All other inner points
-  are sampled and thinned to curves as in section III.B of \cgalCite{cgal:ctowz-pcsvl-10}, where groups are
+  Sheets are triangulated between the means of groups of anchors, which cover them up to their rims. All other inner
+  points are sampled and thinned to curves as in section III.B of \cgalCite{cgal:ctowz-pcsvl-10}, where groups are
   connected if their outer points are neighbours on the surface: nothing is joined across space. Where a curve and a
   sheet touch on the surface, an edge joins them. Cycles that do not go around a hole of the shape (a disc that spans
   them stays inside of it) are filled with triangles, those of curves with few vertices are merged.
 
   With `curves_only` the result is an ordinary curve skeleton: the anchors are contracted as in section III.A of
-  \cgalCite{cgal:ctowz-pcsvl-10}, which draws sheets together, and thinned; no triangle is made. On scans from one to three
-  sides it has far fewer false cycles and branches than the contraction of the points themselves.
+  \cgalCite{cgal:ctowz-pcsvl-10}, which draws sheets together, and thinned; no triangle is made. On scans from one to
+  three sides it has far fewer false cycles and branches than the contraction of the points themselves.
 
   Points whose depth is a guess because nothing opposes them are part of the graph and labelled so.
 
@@ -137,8 +137,8 @@ std::size_t number_of_sheets(const Meso_skeleton_3<Kernel>& skeleton)
       \cgalParamDefault{0.02}
     \cgalParamNEnd
     \cgalParamNBegin{largest_merged_cycle}
-      \cgalParamDescription{cycles of curves with at most so many vertices (twice as many with `curves_only`) are merged to
-        one, unless they go around a hole of the shape; 0 keeps all cycles, those of sheets too}
+      \cgalParamDescription{cycles of curves with at most so many vertices (twice as many with `curves_only`) are
+        merged to one, unless they go around a hole of the shape; 0 keeps all cycles, those of sheets too}
       \cgalParamType{`std::size_t`}
       \cgalParamDefault{6}
     \cgalParamNEnd
@@ -220,8 +220,8 @@ namespace IO {
   - `.ply`: vertices `x y z radius label`, `element edge` with `vertex1 vertex2` (curves), `element face`;
     `read_curve_skeleton()` reads its curves;
   - `.obj`: vertices, lines (curves) and faces;
-  - `.ma`: the numbers of vertices, edges and faces, then `v x y z r`, `e` (curves and sides of triangles) and `f`, indices
-    from 0.
+  - `.ma`: the numbers of vertices, edges and faces, then `v x y z r`, `e` (curves and sides of triangles) and `f`,
+    indices from 0.
 
   Labels are 0 for a curve, 1 for a sheet, 2 for an end, 3 for unanchored.
 

@@ -26,8 +26,8 @@ namespace CGAL {
   reconstructs a closed surface from a point set and a curve skeleton of its shape, section V of
   \cgalCite{cgal:ctowz-pcsvl-10}.
 
-  The surface is the zero set of a signed distance field that is smooth, vanishes at the points, equals minus the radius on
-  the skeleton and is positive far from it (equation (3)). Where data are missing, the surface is that of the
+  The surface is the zero set of a signed distance field that is smooth, vanishes at the points, equals minus the
+  radius on the skeleton and is positive far from it (equation (3)). Where data are missing, the surface is that of the
   skeleton and its radii; its topology can be repaired by editing the skeleton, see `Curve_skeleton_editing`. No
   normals are needed. Where data are complete, a reconstruction from oriented points is more accurate.
 
@@ -83,14 +83,14 @@ namespace CGAL {
       \cgalParamDefault{0.5, as in the paper}
     \cgalParamNEnd
     \cgalParamNBegin{outside_weight}
-      \cgalParamDescription{\f$\omega_4\f$, of nodes far from the skeleton. 0.05 with an `outside_factor` of 2 is more accurate
-        if all radii are right, and eats thin parts if they are not}
+      \cgalParamDescription{\f$\omega_4\f$, of nodes far from the skeleton. 0.05 with an `outside_factor` of 2 is
+        more accurate if all radii are right, and eats thin parts if they are not}
       \cgalParamType{floating scalar value}
       \cgalParamDefault{0.005, as in the paper}
     \cgalParamNEnd
     \cgalParamNBegin{outside_factor}
-      \cgalParamDescription{\f$K\f$, multiple of its radius from which on a place is far from the skeleton; at least 1. On a
-        regular grid only as far as the grid reaches, 0.15 times the longest side beyond the data}
+      \cgalParamDescription{\f$K\f$, multiple of its radius from which on a place is far from the skeleton; at least
+        1. On a regular grid only as far as the grid reaches, 0.15 times the longest side beyond the data}
       \cgalParamType{floating scalar value}
       \cgalParamDefault{4, as in the paper}
     \cgalParamNEnd

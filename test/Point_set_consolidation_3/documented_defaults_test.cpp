@@ -403,7 +403,8 @@ void operators()
       CGAL::mean_shift_remove_outliers<Tag>(points, std::back_inserter(output), np);
       return numbers(output);
     };
-    f.check({{"k_neighbors", 5}, {"number_of_iterations", no_effect}, {"shift_threshold", 1}}, [&] { return run(positions); },
+    f.check({{"k_neighbors", 5}, {"number_of_iterations", no_effect}, {"shift_threshold", 1}},
+            [&] { return run(positions); },
             [&](Values v) {
               return run(positions.k_neighbors(unsigned(v["k_neighbors"]))
                            .number_of_iterations(unsigned(v["number_of_iterations"]))

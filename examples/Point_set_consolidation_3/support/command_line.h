@@ -173,8 +173,8 @@ private:
 /// anything else that was thrown.
 int run_program(const std::string& name, const std::function<void()>& body) noexcept;
 
-/// `work()`, on points from a file. A `std::invalid_argument`, which functions throw if they cannot work with the points,
-/// becomes a `File_error` of that file; where there is no result, the message names the file as well.
+/// `work()`, on points from a file. A `std::invalid_argument`, which functions throw if they cannot work with the
+/// points, becomes a `File_error` of that file; where there is no result, the message names the file as well.
 template <typename Work>
 auto with_points_of(const std::string& file, const Work& work)
 {

@@ -48,7 +48,8 @@ struct Consolidated_input {
   Points data;                 ///< C, in the caller's order, without outliers
   Gap_parameters gaps;         ///< for these
   std::vector<std::size_t> outliers;  ///< of the caller's points, in increasing order
-  std::vector<Index> place;           ///< of the caller's points in `data`; outliers have the nearest one's. Empty: no outliers
+  /// Of the caller's points in `data`; outliers have the nearest one's. Empty: no outliers.
+  std::vector<Index> place;
   bool is_denoised = false;    ///< along the rays
   Seen_part seen;              ///< C with outward normals; empty if the scanner's directions tell
   Scan_directions directions;  ///< empty: none

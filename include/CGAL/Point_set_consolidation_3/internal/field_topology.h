@@ -22,14 +22,14 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 /// Beyond the papers: a surface from data and a skeleton has the topology of the skeleton only if data and skeleton
-/// agree everywhere. Where they do not, near parts touch (false handles) and thin parts have holes (false tunnels). In: a
-/// field, and the number of handles that its surface may have. Out: the field, changed at few nodes so
+/// agree everywhere. Where they do not, near parts touch (false handles) and thin parts have holes (false tunnels).
+/// In: a field, and the number of handles that its surface may have. Out: the field, changed at few nodes so
 /// that the weakest handles are cut, or their tunnels filled, whichever changes the field less.
 ///
 /// The lattice with the tetrahedra of `Marching_tetrahedra` is a simplicial complex. A node changes sides without
 /// a change of topology if its neighbours on either side are one connected part of its link. So a region that starts
-/// with the deepest node and takes such nodes, the deepest first, ends as a ball: what is left of the inside are the cuts that
-/// open its handles. Likewise, the outside leaves the membranes that close its tunnels.
+/// with the deepest node and takes such nodes, the deepest first, ends as a ball: what is left of the inside are the
+/// cuts that open its handles. Likewise, the outside leaves the membranes that close its tunnels.
 
 /// The 14 nodes that share a tetrahedron with a node.
 class Tetrahedral_link {

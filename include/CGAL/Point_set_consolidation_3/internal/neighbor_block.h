@@ -38,8 +38,9 @@ struct Neighbor_block {
   Vec3 offset(int k) const { return Vec3(dx[k], dy[k], dz[k]); }
 };
 
-/// exp(x) of `lanes` numbers at once for x in [-700, 700], limited to those ends. Relative error 2e-15 down to x = -16, where
-/// weights end, and |x| times the rounding error beyond; 0 gives 1. Three times as fast as `Eigen::exp` with SSE2, where that spends most of a weight's time:
+/// exp(x) of `lanes` numbers at once for x in [-700, 700], limited to those ends. Relative error 2e-15 down to x =
+/// -16, where weights end, and |x| times the rounding error beyond; 0 gives 1. Three times as fast as `Eigen::exp`
+/// with SSE2, where that spends most of a weight's time:
 /// 2^t = 2^k 2^r with k the integer next to t; k is read from, and added to, the bits of the numbers.
 struct Exponential {
   static constexpr int lanes = 8;

@@ -54,9 +54,9 @@ inline void orient_by_sides(const Execution& execution, Points& normals, const P
   });
 }
 
-/// Normals of the particles from `first` on: those of the points around, on the side of the nearest of them, as a linear
-/// function of the place. At borders, where all points lie on one side, their mean would be that of a place within, and
-/// sheets would leave the border at that angle.
+/// Normals of the particles from `first` on: those of the points around, on the side of the nearest of them, as a
+/// linear function of the place. At borders, where all points lie on one side, their mean would be that of a place
+/// within, and sheets would leave the border at that angle.
 inline void update_particle_normals(const Execution& execution, const Points& points,
                                     const Points& normals, double h, const Points& particles,
                                     std::size_t first, Points& particle_normals)

@@ -311,9 +311,9 @@ private:
   }
 
   /// In units of a spacing h, the smoothness of a field U is the integral of U''^2 / h over space, the other terms are
-  /// those of U^2 / h^4 and |grad U - n|^2 / h^2 over the surface, U^2 / h^2 at each sample of the skeleton and U^2 / h^5 over the outside. Their
-  /// weights are those of the finest level; a level with s times its spacing has the same energy
-  /// with weights times s^3, s, s and s^4.
+  /// those of U^2 / h^4 and |grad U - n|^2 / h^2 over the surface, U^2 / h^2 at each sample of the skeleton and U^2
+  /// / h^5 over the outside. Their weights are those of the finest level; a level with s times its spacing has the
+  /// same energy with weights times s^3, s, s and s^4.
   void solve(const std::vector<char>& is_fixed)
   {
     const double s = m_field.frame.unit / m_spacing;
@@ -334,8 +334,8 @@ private:
   }
 
   /// u = 0 at the points, and grad u is the normal: without, the skeleton alone tells inside from outside, and thin
-  /// or half seen parts get handles and bulges. Each cell has the same weight, however many points it has: the result does not
-  /// depend on the density of the data.
+  /// or half seen parts get handles and bulges. Each cell has the same weight, however many points it has: the
+  /// result does not depend on the density of the data.
   void add_surface(Field_equations& equations, double value_weight, double normal_weight) const
   {
     std::vector<std::pair<Lattice_point, std::size_t> > cells(m_points.size());

@@ -287,8 +287,8 @@ private:
   std::vector<char> m_is_alive;
 };
 
-/// Applies the edits of a text, a line each; `#` begins a comment. Vertices are named by their numbers in the file that is
-/// edited. Errors are `std::invalid_argument`, the message names the line.
+/// Applies the edits of a text, a line each; `#` begins a comment. Vertices are named by their numbers in the file
+/// that is edited. Errors are `std::invalid_argument`, the message names the line.
 inline void apply_edits(std::istream& in, Skeleton_editor& editor)
 {
   std::string line;

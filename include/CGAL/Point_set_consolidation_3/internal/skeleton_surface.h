@@ -74,8 +74,8 @@ inline Surface_triangles components_with_skeleton(const Surface_triangles& surfa
   return result;
 }
 
-/// Points and skeleton in local coordinates; `normals` and `is_constraint` as in the field. The surface may be empty, if the resolution is too low for the skeleton's
-/// radii.
+/// Points and skeleton in local coordinates; `normals` and `is_constraint` as in the field. The surface may be
+/// empty, if the resolution is too low for the skeleton's radii.
 inline Surface_triangles reconstruct_from_skeleton(Execution& execution, const Points& points,
                                                    const Points& normals, Skeleton_graph skeleton,
                                                    const std::vector<char>& is_constraint,

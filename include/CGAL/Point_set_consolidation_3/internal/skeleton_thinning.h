@@ -228,8 +228,8 @@ private:
     return m_handles.count(cycle) > 0;
   }
 
-  /// Whether a cycle goes around a hole of the shape. It is then wider than the tubes that it is made of, and these have
-  /// a side towards the hole. A cycle that comes from disagreeing triangulations lies in one tube, of which each
+  /// Whether a cycle goes around a hole of the shape. It is then wider than the tubes that it is made of, and these
+  /// have a side towards the hole. A cycle that comes from disagreeing triangulations lies in one tube, of which each
   /// of its strands has the outer side. Over fifteen models the width was 1.2 to 2.4 of the tube for handles and 0.4
   /// to 0.6 for others; but 1.2 to 1.5 for those of views that are misaligned, whose surfaces are double, and with less
   /// than 0.3 of a strand's points on the side of the hole.
