@@ -41,7 +41,8 @@ namespace CGAL {
   directions are known), no sheet of data that faces the other way is near, they rise from the data by
   less than 49 degrees, the regions that they form continue the data's normals at their rim and have data all around
   (no angle of 92 degrees without, seen from their middle), they reach farther than holes that Poisson reconstruction
-  closes by itself, and no border is left open.
+  closes by itself, and no border is left open. If less than half of what was added passes, all is taken back: then
+  the gaps are occlusions rather than holes.
 
   Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, and nearer ones that are sparser than the
   points around and lie off the quadric that these follow, by more than 0.07 \f$h\f$ and three times their median

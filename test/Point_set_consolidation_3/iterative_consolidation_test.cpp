@@ -499,7 +499,8 @@ void only_holes_with_data_all_around_are_filled()
     const core::Placement_guard guard(data, normals, space, h, core::Guard_parameters());
     const core::Execution execution = {false, core::Progress(), {}};
     const std::vector<char> is_doubtful =
-      guard.doubtful_regions(execution, filling, core::Points(filling.size(), Vec3::UnitZ()), 0.4 * h);
+      guard.doubtful_regions(execution, filling, core::Points(filling.size(), Vec3::UnitZ()), 0.4 * h,
+                             filling.size());
     const auto doubtful = std::count(is_doubtful.begin(), is_doubtful.end(), char(1));
     assert(doubtful == 0 || std::size_t(doubtful) == filling.size());  // the region is one
     return doubtful == 0;

@@ -329,7 +329,8 @@ private:
         added_normals.push_back(m_normals[i]);
       }
     const std::vector<char> is_doubtful =
-      m_guard.doubtful_regions(m_execution, added, added_normals, region_radius * m_h);
+      m_guard.doubtful_regions(m_execution, added, added_normals, region_radius * m_h,
+                               m_points.size() - m_number_of_kept);
     const Nearest_neighbors data(m_kept_points);
     for(std::size_t i = 0; i < added.size(); ++i) {
       if(is_doubtful[i])

@@ -37,11 +37,17 @@ struct Guard_parameters {
   /// closed all around; creases between parts that occluded each other, and borders of views, are open or long. ...
   double largest_opening = 1.6;
   double rim = 1.3;
+  /// ... or if the rim's normals cancel (length of their mean): around a strip of a tube there is no such plane; ...
+  double least_rim_flatness = 0.25;
   /// ... or if its normals differ more from the data's along its rim (mean cosine): it bends off instead of
   /// going on; ...
   double least_rim_cosine = 0.85;
   /// ... or if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
   double least_reach = 0.45;
+  /// Share of all added points that must pass, else all are taken back: where most extensions fail, gaps are
+  /// occlusions rather than holes, and the regions that pass are not better founded. (Holes cut into models: 0.56
+  /// and more; scans from one to three sides: up to 0.3.)
+  double least_accepted_share = 0.5;
 };
 
 class Placement_guard {
@@ -61,8 +67,10 @@ public:
   }
 
   /// Flags the regions, neighbours within `radius`, that are no plausible continuation of the data as a whole.
+  /// `number_added`: how many points there were before some were taken back.
   std::vector<char> doubtful_regions(const Execution& execution, const Points& points,
-                                     const Points& normals, double radius) const
+                                     const Points& normals, double radius,
+                                     std::size_t number_added) const
   {
     std::vector<char> is_doubtful(points.size(), 0);
     if(!m_parameters.enabled || m_data == nullptr || points.empty())
@@ -76,6 +84,9 @@ public:
         for(const Index i : members)
           is_doubtful[i] = 1;
     }
+    const auto accepted = std::count(is_doubtful.begin(), is_doubtful.end(), char(0));
+    if(double(accepted) < m_parameters.least_accepted_share * double(number_added))
+      std::fill(is_doubtful.begin(), is_doubtful.end(), char(1));
     return is_doubtful;
   }
 
@@ -103,6 +114,7 @@ private:
     }
     return rim_points == 0 || reach < m_parameters.least_reach * m_h ||
            cosine < m_parameters.least_rim_cosine * double(rim_points) ||
+           rim_normal.norm() < m_parameters.least_rim_flatness * double(rim_points) ||
            opening(middle, normalized_or(rim_normal, Vec3::UnitZ())) > m_parameters.largest_opening;
   }
 
