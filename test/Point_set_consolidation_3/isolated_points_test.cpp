@@ -58,8 +58,7 @@ double distance_to_torus(const Vec3& p)
 
 std::vector<char> isolated(const Points& points)
 {
-  const std::vector<char> found =
-    psc::Isolated_points(psc::make_execution<CGAL::Sequential_tag>(), points).run();
+  std::vector<char> found = psc::Isolated_points(psc::make_execution<CGAL::Sequential_tag>(), points).run();
   assert(found == psc::Isolated_points(psc::make_execution<CGAL::Parallel_if_available_tag>(), points).run());
   return found;
 }

@@ -486,12 +486,12 @@ void only_holes_with_data_all_around_are_filled()
   constexpr double h = 1, hole = 0.7, spacing = 0.05;
   const auto is_filling_kept = [&](double opening) {
     core::Points data, filling;
-    for(double x = -2; x <= 2; x += spacing)
-      for(double y = -2; y <= 2; y += spacing) {
-        const Vec3 p(x, y, 0);
+    for(int i = -40; i <= 40; ++i)
+      for(int j = -40; j <= 40; ++j) {
+        const Vec3 p(i * spacing, j * spacing, 0);
         if(p.norm() < hole)
           filling.push_back(p);
-        else if(std::abs(std::atan2(y, x)) > opening / 2)
+        else if(std::abs(std::atan2(p.y(), p.x())) > opening / 2)
           data.push_back(p);
       }
     const core::Points normals(data.size(), Vec3::UnitZ());

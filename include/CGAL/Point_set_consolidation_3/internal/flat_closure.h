@@ -33,7 +33,7 @@ inline Closing_plane closing_plane(const Points& data, const std::vector<Index>&
   Closing_plane plane;
   if(border.size() < 3)
     return plane;
-  const Vec3 origin = data[border.front()];
+  const Vec3& origin = data[border.front()];
   Covariance_sum sum;
   for(const Index i : border)
     sum.add(data[i] - origin);

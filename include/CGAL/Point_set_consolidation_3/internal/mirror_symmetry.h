@@ -194,8 +194,8 @@ private:
       m_size[axis] = std::size_t(cells(axis));
     m_nearest.resize(m_size[0] * m_size[1] * m_size[2]);
     parallel_for(m_execution, m_nearest.size(), [&](std::size_t c) {
-      const Vec3 at(double(c % m_size[0]), double(c / m_size[0] % m_size[1]),
-                    double(c / m_size[0] / m_size[1]));
+      const std::size_t row = c / m_size[0], layer = row / m_size[1];
+      const Vec3 at(double(c % m_size[0]), double(row % m_size[1]), double(layer));
       m_nearest[c] = m_tree.nearest(m_box.lower + m_cell * (at + Vec3::Constant(0.5))).index;
     });
   }
@@ -215,8 +215,11 @@ private:
   {
     std::vector<Index> indices;
     const double step = (std::max)(1., double(m_points.size()) / double(count));
-    for(double i = 0; i < double(m_points.size()); i += step)
+    double i = 0;
+    while(i < double(m_points.size())) {
       indices.push_back(Index(i));
+      i += step;
+    }
     return indices;
   }
 
@@ -234,11 +237,13 @@ private:
       }
       best_of[d].score = -1e300;
       const double step = (std::max)(offset_step, (high - low) / most_offsets);
-      for(double o = low + step; o < high; o += step) {
+      double o = low + step;
+      while(o < high) {
         const Mirror_plane plane{normal, normal.dot(centre) + o};
         const double s = coarse_score(plane, samples, best_of[d].score);
         if(s > best_of[d].score)
           best_of[d] = {plane, s};
+        o += step;
       }
     });
     std::stable_sort(best_of.begin(), best_of.end(),

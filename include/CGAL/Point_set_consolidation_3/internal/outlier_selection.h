@@ -161,6 +161,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
   const auto is_off = [&](std::size_t i, const Vec3& place, bool tests_sparsity) {
     const std::vector<Neighbor> found = neighbors_of(i, place, fitted_neighbors);
     std::vector<double> sparsities;
+    sparsities.reserve(found.size());
     for(const Neighbor& neighbor : found)
       sparsities.push_back(sparsity[kept[neighbor.index]]);
     const double relative_sparsity = sparsity[i] / median(std::move(sparsities));

@@ -25,8 +25,8 @@ inline std::vector<std::size_t> random_subset(std::size_t n, std::size_t count, 
   for(std::size_t i = 0; i < n; ++i)
     order[i] = i;
   count = (std::min)(count, n);
-  for(std::size_t i = 0; i < count; ++i)
-    std::swap(order[i], order[i + std::size_t(generator() % (n - i))]);
+  for(std::size_t i = 0, left = n; i < count && left > 0; ++i, --left)
+    std::swap(order[i], order[i + std::size_t(generator() % left)]);
   order.resize(count);
   return order;
 }

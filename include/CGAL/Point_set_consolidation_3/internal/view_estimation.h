@@ -126,7 +126,8 @@ private:
       return share_of_hidden(d, true) + stiffness * (d - centre).squaredNorm();
     };
     double least = cost(axis);
-    for(double angle = first_turn; angle >= last_turn; angle /= 2)
+    double angle = first_turn;
+    while(angle >= last_turn) {
       for(bool has_turned = true; has_turned;) {
         has_turned = false;
         const Projection projection = Projection::orthographic(axis);
@@ -141,6 +142,8 @@ private:
           }
         }
       }
+      angle /= 2;
+    }
     return share_of_hidden(axis, true);
   }
 
