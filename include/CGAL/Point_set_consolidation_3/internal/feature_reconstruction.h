@@ -60,18 +60,11 @@ inline std::vector<double> confirmed_shares(const Skeleton_graph& graph, const P
 /// would be, and do not face away from there as a thicker part around it would, but to the side.
 inline std::vector<char> gap_edges(const Skeleton_graph& graph, const Points& points, const Points& normals)
 {
-  constexpr std::size_t voters = 6;
   constexpr double farther = 1.5;  // radii
   const Nearest_neighbors tree(points);
   const auto is_in_gap = [&](const Vec3& x, double radius) {
-    std::vector<Neighbor> near;
-    tree.find(x, voters, near);
-    if(!(near.front().squared_distance > farther * farther * radius * radius))
-      return false;
-    double sum = 0;
-    for(const Neighbor& neighbor : near)
-      sum += normals[neighbor.index].dot(normalized_or(x - points[neighbor.index], Vec3::Zero()));
-    return sum > -double(near.size()) / farther;  // the rim of a tube, from so many radii along its axis
+    return tree.nearest(x).squared_distance > farther * farther * radius * radius &&
+           facing(tree, points, normals, x) > -1 / farther;  // the rim of a tube, from so many radii along its axis
   };
   std::vector<char> is_gap;
   for(const Skeleton_edge& e : graph.edges) {

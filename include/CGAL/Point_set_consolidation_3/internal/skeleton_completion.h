@@ -27,6 +27,19 @@ namespace internal {
 /// Only between nodes whose radius the data around them confirm: elsewhere centre and radius of
 /// an automatic skeleton are guesses, and rings around them do harm.
 
+/// Mean cosine between the normals of the data around a place and the directions from them to it: -1 on the axis of a
+/// tube or inside of a part, which face away, 0 in a gap, which they face by their sides.
+inline double facing(const Nearest_neighbors& tree, const Points& data, const Points& normals, const Vec3& x)
+{
+  constexpr std::size_t voters = 6;
+  std::vector<Neighbor> near;
+  tree.find(x, voters, near);
+  double sum = 0;
+  for(const Neighbor& neighbor : near)
+    sum += normals[neighbor.index].dot(normalized_or(x - data[neighbor.index], Vec3::Zero()));
+  return sum / double(near.size());
+}
+
 struct Skeleton_completed_points {
   Points points, normals;
   std::vector<std::size_t> edges;  ///< the skeleton edge of each point
@@ -39,7 +52,6 @@ class Skeleton_completion {
   /// A ring point is inside of the shape, and not missing, if the data around see it so far below their tangent
   /// planes (cosine): beside a gap of the surface the data see it in their planes.
   static constexpr double most_inside = -0.35;
-  static constexpr std::size_t inside_voters = 6;
   /// Some minutes of work; outliers far away make skeletons that want more.
   static constexpr double most_points = 1e7;
 
@@ -115,15 +127,7 @@ private:
     return result;
   }
 
-  bool is_inside(const Vec3& x) const
-  {
-    std::vector<Neighbor> near;
-    m_tree.find(x, inside_voters, near);
-    double sum = 0;
-    for(const Neighbor& neighbor : near)
-      sum += m_normals[neighbor.index].dot(normalized_or(x - m_data[neighbor.index], Vec3::Zero()));
-    return sum < most_inside * double(near.size());
-  }
+  bool is_inside(const Vec3& x) const { return facing(m_tree, m_data, m_normals, x) < most_inside; }
 
   /// The number of points that are tried around an edge.
   double ring_points(std::size_t edge) const
