@@ -25,10 +25,11 @@ if [ ${#files[@]} -eq 0 ]; then
   headers=$(mktemp --suffix=.cpp)
   trap 'rm -f "$headers"' EXIT
   (cd include && find CGAL -name '*.h' | sort | sed 's/.*/#include <&>/') >"$headers"
-  files=("$headers" examples/*/support/*.cpp examples/*/*.cpp test/*/every_function/*.cpp test/*/*.cpp
+  files=("$headers" src/*/*.cpp examples/*/support/*.cpp examples/*/*.cpp test/*/every_function/*.cpp test/*/*.cpp
     test/*/fuzz/fuzz_*.cpp benchmark/*/*.cpp)
 fi
 flags=(-std=c++17 -Wall -Wextra -Wpedantic -DCGAL_NO_DEPRECATED_CODE -DCGAL_EIGEN3_ENABLED -DCGAL_LINKED_WITH_TBB
+  -DCGAL_POINT_SET_CONSOLIDATION_3_COMPILED_CORE=16 -DCGAL_POINT_SET_CONSOLIDATION_3_CORE_HAS_TBB
   '-DCGAL_DATA_DIR="data"' "${cgal[@]}" -isystem /usr/include/eigen3 -Iinclude
   -Iexamples/Point_set_consolidation_3/support -Ibenchmark/Point_set_consolidation_3)
 

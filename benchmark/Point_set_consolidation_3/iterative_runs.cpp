@@ -4,6 +4,7 @@
 #include "iterative_runs.h"
 
 #include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
+#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/iterative_consolidate_point_set.h>
 #include <CGAL/mst_orient_normals.h>

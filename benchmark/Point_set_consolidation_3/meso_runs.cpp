@@ -6,6 +6,7 @@
 #include "scan_ranges.h"
 
 #include <CGAL/Deep_points_consolidation_3.h>
+#include <CGAL/Point_set_consolidation_3/internal/meso_graph.h>
 #include <CGAL/meso_skeleton_to_graph.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 
 #include "cgal_conversion.h"
 
+#include <CGAL/Point_set_consolidation_3/internal/contraction_samples.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/extract_l1_medial_skeleton.h>

@@ -9,6 +9,9 @@
 #define CGAL_ALGEBRAIC_POINT_SET_SURFACE_3_H
 
 #include <CGAL/apss_project_point_set.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
+#include <CGAL/Point_set_consolidation_3/internal/write_back.h>
+#include <CGAL/Point_set_consolidation_3/parameters.h>
 
 #include <optional>
 
@@ -31,7 +34,7 @@ namespace CGAL {
 template <typename Traits>
 class Algebraic_point_set_surface_3 {
   /// \cond SKIP_IN_MANUAL
-  typedef Point_set_consolidation_3::internal::Algebraic_surface Surface;
+  typedef Point_set_consolidation_3::internal::Oriented_surface Surface;
   typedef Point_set_consolidation_3::internal::Vec3 Vec3;
   /// \endcond
 
@@ -61,78 +64,68 @@ public:
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   explicit Algebraic_point_set_surface_3(const PointRange& points,
                                          const NamedParameters& np = parameters::default_values())
-  {
-    using namespace Point_set_consolidation_3::internal;
-    const char* const function = "Algebraic_point_set_surface_3";
-    const auto& pack = cgal_np(np);
-    const Points input = copy_points(function, points, pack, 1);
-    Points normals = copy_unit_normals(function, points, pack);
-    m_frame = apss_frame(make_execution<Sequential_tag>(), input);
-    m_surface = Surface(to_frame(m_frame, input), std::move(normals),
-                        apss_radius(function, pack, m_frame));
-  }
+    : m_surface(make_surface(points, Point_set_consolidation_3::internal::cgal_np(np)))
+  {}
 
   /// \f$h\f$.
-  FT support_radius() const { return FT(m_surface.support() * m_frame.unit); }
+  FT support_radius() const { return FT(m_surface.support()); }
 
   /// The sphere fitted at `query`; nothing where fewer than three points are in the support.
   std::optional<Sphere> fit(const Point_3& query) const
   {
-    const Vec3 x = local(query);
-    const Surface::Fit f = m_surface.fit(x, Vec3::Zero());
-    if(f.count < Surface::least_points)
+    const Surface::Fit f = m_surface.fit(vec3(query));
+    if(!f.is_defined)
       return std::nullopt;
-    const Vec3 y = f.sphere.project(x);
-    return Sphere{world(y), vector(f.sphere.normal(y, Vec3::UnitZ())),
-                  FT(f.sphere.curvature() / m_frame.unit), f.count, FT(f.normal_residual)};
+    return Sphere{point(f.foot), vector(f.normal), FT(f.curvature), f.count, FT(f.normal_residual)};
   }
 
   /// Projects `query` onto the surface by up to `iterations` fits; nothing where the surface is not defined: fewer
   /// than three points in the support, or a projection that leaves it.
   std::optional<Point_3> project(const Point_3& query, std::size_t iterations = 10) const
   {
-    Vec3 x = local(query), normal = Vec3::Zero();  // zero: neighbours of all sides count
-    if(!m_surface.project(x, normal, iterations))
+    Vec3 x = vec3(query);
+    if(!m_surface.project(x, iterations))
       return std::nullopt;
-    return world(x);
+    return point(x);
   }
 
   /// Signed distance of `query` from the sphere fitted there, positive on the side of the normals.
   std::optional<FT> signed_distance(const Point_3& query) const
   {
-    const Vec3 x = local(query);
-    const Surface::Fit f = m_surface.fit(x, Vec3::Zero());
-    if(f.count < Surface::least_points)
+    const Surface::Fit f = m_surface.fit(vec3(query));
+    if(!f.is_defined)
       return std::nullopt;
-    return FT(f.sphere.signed_distance(x) * m_frame.unit);
+    return FT(f.signed_distance);
   }
 
   /// Gradient of the fitted field at `query`; of length about one near the surface.
   std::optional<Vector_3> gradient(const Point_3& query) const
   {
-    const Vec3 x = local(query);
-    const Surface::Fit f = m_surface.fit(x, Vec3::Zero());
-    if(f.count < Surface::least_points)
+    const Surface::Fit f = m_surface.fit(vec3(query));
+    if(!f.is_defined)
       return std::nullopt;
-    return vector(f.sphere.gradient(x));
+    return vector(f.gradient);
   }
 
 private:
-  Vec3 local(const Point_3& p) const
+  /// \cond SKIP_IN_MANUAL
+  template <typename PointRange, typename NP>
+  static Surface make_surface(const PointRange& points, const NP& np)
   {
-    return m_frame.to_local(Point_set_consolidation_3::internal::to_vec3(p));
+    using namespace Point_set_consolidation_3::internal;
+    const char* const function = "Algebraic_point_set_surface_3";
+    const Points input = copy_points(function, points, np, 1);
+    Points normals = copy_unit_normals(function, points, np);
+    const double radius =
+      not_negative(function, np, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
+    return Surface(input, std::move(normals), radius);
   }
-  Point_3 world(const Vec3& x) const
-  {
-    return Point_set_consolidation_3::internal::to_point<Traits>(m_frame.to_world(x));
-  }
-  static Vector_3 vector(const Vec3& v)
-  {
-    return Point_set_consolidation_3::internal::to_vector<Traits>(v);
-  }
+  static Vec3 vec3(const Point_3& p) { return Point_set_consolidation_3::internal::to_vec3(p); }
+  static Point_3 point(const Vec3& x) { return Point_set_consolidation_3::internal::to_point<Traits>(x); }
+  static Vector_3 vector(const Vec3& v) { return Point_set_consolidation_3::internal::to_vector<Traits>(v); }
 
-  Point_set_consolidation_3::internal::Frame m_frame;
   Surface m_surface;
+  /// \endcond
 };
 
 }  // namespace CGAL

@@ -8,9 +8,8 @@
 #ifndef CGAL_CURVE_SKELETON_3_H
 #define CGAL_CURVE_SKELETON_3_H
 
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_edits.h>
+#include <CGAL/Point_set_consolidation_3/core/curve_skeletons.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_io.h>
 
 #include <CGAL/number_utils.h>
 
@@ -146,13 +145,17 @@ namespace Curve_skeleton_editing {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-template <typename Kernel, typename Edit>
-void edit(Curve_skeleton_3<Kernel>& skeleton, const Edit& work)
+namespace core = Point_set_consolidation_3::internal;
+
+typedef core::Skeleton_edit Edit;
+
+template <typename Kernel>
+std::size_t edit(Curve_skeleton_3<Kernel>& skeleton, const Edit& edit)
 {
-  namespace core = Point_set_consolidation_3::internal;
-  core::Skeleton_editor editor(core::to_skeleton_graph<Kernel>(skeleton));
-  work(editor);
-  core::assign<Kernel>(skeleton, editor.result());
+  core::Skeleton_graph graph = core::to_skeleton_graph<Kernel>(skeleton);
+  const std::size_t added = core::edit(graph, edit);
+  core::assign<Kernel>(skeleton, graph);
+  return added;
 }
 
 }  // namespace internal
@@ -174,39 +177,37 @@ template <typename Kernel>
 void move_vertex(Curve_skeleton_3<Kernel>& skeleton, std::size_t v,
                  const typename Kernel::Point_3& point)
 {
-  internal::edit(skeleton, [&](auto& editor) {
-    editor.move(v, Point_set_consolidation_3::internal::Vec3(
-                     CGAL::to_double(point.x()), CGAL::to_double(point.y()),
-                     CGAL::to_double(point.z())));
-  });
+  internal::edit(skeleton, internal::Edit{internal::Edit::MOVE, v, 0, 0,
+                                          {CGAL::to_double(point.x()), CGAL::to_double(point.y()),
+                                           CGAL::to_double(point.z())}});
 }
 
 /// sets the radius of a vertex, in the unit of the skeleton; not negative, 0 if it is not known.
 template <typename Kernel>
 void set_radius(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, typename Kernel::FT radius)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.set_radius(v, CGAL::to_double(radius)); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::SET_RADIUS, v, 0, CGAL::to_double(radius)});
 }
 
 /// adds an edge, if there is none yet.
 template <typename Kernel>
 void connect(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, std::size_t w)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.connect(v, w); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::CONNECT, v, w});
 }
 
 /// removes an edge.
 template <typename Kernel>
 void disconnect(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, std::size_t w)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.disconnect(v, w); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::DISCONNECT, v, w});
 }
 
 /// removes the chain of vertices that `v` is on, up to the branch vertices at its ends.
 template <typename Kernel>
 void delete_branch(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.delete_branch(v); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::DELETE_BRANCH, v});
 }
 
 /// opens the shortest cycle through `v`: removes the chain of vertices that `v` is on or, if `v` is a branch vertex,
@@ -214,35 +215,35 @@ void delete_branch(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
 template <typename Kernel>
 void delete_cycle(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.delete_cycle(v); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::DELETE_CYCLE, v});
 }
 
 /// merges the shortest cycle through `v` to one vertex.
 template <typename Kernel>
 void collapse_cycle(Curve_skeleton_3<Kernel>& skeleton, std::size_t v)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.collapse_cycle(v); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::COLLAPSE_CYCLE, v});
 }
 
 /// removes branches that end in a tip and are shorter than `length`, the shortest first.
 template <typename Kernel>
 void prune_spurs(Curve_skeleton_3<Kernel>& skeleton, typename Kernel::FT length)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.prune_spurs(CGAL::to_double(length)); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::PRUNE_SPURS, 0, 0, CGAL::to_double(length)});
 }
 
 /// continues tips by their radius, to new vertices of radius 0.
 template <typename Kernel>
 void extend_tips(Curve_skeleton_3<Kernel>& skeleton)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.extend_tips(); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::EXTEND_TIPS});
 }
 
 /// sets the radii between two vertices, along the shortest path, from theirs.
 template <typename Kernel>
 void interpolate_radii(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, std::size_t w)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.interpolate(v, w); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::INTERPOLATE, v, w});
 }
 
 /// sets the radii of all vertices with radius 0, other than tips, from those around them: harmonically along the
@@ -250,7 +251,7 @@ void interpolate_radii(Curve_skeleton_3<Kernel>& skeleton, std::size_t v, std::s
 template <typename Kernel>
 void interpolate_radii(Curve_skeleton_3<Kernel>& skeleton)
 {
-  internal::edit(skeleton, [&](auto& editor) { editor.interpolate_unknown(); });
+  internal::edit(skeleton, internal::Edit{internal::Edit::INTERPOLATE_UNKNOWN});
 }
 
 /// joins components by edges between their closest vertices, the shortest first, as long as the edges are not longer
@@ -259,9 +260,7 @@ void interpolate_radii(Curve_skeleton_3<Kernel>& skeleton)
 template <typename Kernel>
 std::size_t bridge_components(Curve_skeleton_3<Kernel>& skeleton, typename Kernel::FT longest)
 {
-  std::size_t count = 0;
-  internal::edit(skeleton, [&](auto& editor) { count = editor.bridge(CGAL::to_double(longest)); });
-  return count;
+  return internal::edit(skeleton, internal::Edit{internal::Edit::BRIDGE, 0, 0, CGAL::to_double(longest)});
 }
 
 /*!
@@ -279,9 +278,9 @@ numbers:
 template <typename Kernel>
 void apply_edits(Curve_skeleton_3<Kernel>& skeleton, std::istream& edits)
 {
-  internal::edit(skeleton, [&](auto& editor) {
-    Point_set_consolidation_3::internal::apply_edits(edits, editor);
-  });
+  internal::core::Skeleton_graph graph = internal::core::to_skeleton_graph<Kernel>(skeleton);
+  internal::core::edit(graph, edits);
+  internal::core::assign<Kernel>(skeleton, graph);
 }
 
 }  // namespace Curve_skeleton_editing
@@ -300,7 +299,7 @@ template <typename Kernel>
 bool write_curve_skeleton_PLY(std::ostream& out, const Curve_skeleton_3<Kernel>& skeleton)
 {
   namespace internal = Point_set_consolidation_3::internal;
-  internal::write_skeleton_ply(out, internal::to_skeleton_graph<Kernel>(skeleton));
+  internal::write_ply(out, internal::to_skeleton_graph<Kernel>(skeleton));
   return bool(out);
 }
 
@@ -322,9 +321,9 @@ bool write_curve_skeleton(const std::string& name, const Curve_skeleton_3<Kernel
   std::ofstream out(name);
   const internal::Skeleton_graph graph = internal::to_skeleton_graph<Kernel>(skeleton);
   if(ends_with(".polylines.txt") || ends_with(".cgal"))
-    internal::write_skeleton_polylines(out, graph);
+    internal::write_polylines(out, graph);
   else
-    internal::write_skeleton_ply(out, graph);
+    internal::write_ply(out, graph);
   out.flush();
   return bool(out);
 }
@@ -344,7 +343,7 @@ bool read_curve_skeleton_PLY(std::istream& in, Curve_skeleton_3<Kernel>& skeleto
 {
   namespace internal = Point_set_consolidation_3::internal;
   try {
-    internal::assign<Kernel>(skeleton, internal::Ply_skeleton_reader(in).read());
+    internal::assign<Kernel>(skeleton, internal::read_skeleton(in));
     return true;
   }
   catch(const std::runtime_error& error) {

@@ -9,7 +9,7 @@
 #define CGAL_LAPLACIAN_CONTRACTION_SKELETONIZATION_3_H
 
 #include <CGAL/Curve_skeleton_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
+#include <CGAL/Point_set_consolidation_3/core/curve_skeletons.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 #include <CGAL/Point_set_consolidation_3/parameters.h>
 
@@ -38,7 +38,7 @@ class Laplacian_contraction_skeletonization_3 {
   typedef Point_set_consolidation_3::internal::Vec3 Vec3;
   typedef Point_set_consolidation_3::internal::Points Points;
   typedef Point_set_consolidation_3::internal::Cancelled Cancelled;
-  typedef Point_set_consolidation_3::internal::Laplacian_skeletonization Core;
+  typedef Point_set_consolidation_3::internal::Laplacian_extraction Core;
   typedef Point_set_consolidation_3::internal::Laplacian_skeleton_parameters Parameters;
   static constexpr const char* function_name = "extract_laplacian_contraction_skeleton";
   /// \endcond
@@ -108,7 +108,7 @@ public:
     }
     const std::uint64_t seed = parameter_or(
       cgal, Point_set_consolidation_3::internal_np::random_seed, std::uint64_t(0));
-    const Points samples = soup_samples(vertices, triangles, read.most_samples, seed);
+    const Points samples = sample_triangles(vertices, triangles, read.most_samples, seed);
     require(samples.size() >= least_points, function_name, "polygons have no area");
     m_core = std::make_unique<Core>(make_execution<ConcurrencyTag>(callback_of(cgal)), samples, Points(),
                                     vertices, read);

@@ -9,7 +9,7 @@
 #ifndef CGAL_ANISOTROPIC_EDGE_AWARE_UPSAMPLE_POINT_SET_H
 #define CGAL_ANISOTROPIC_EDGE_AWARE_UPSAMPLE_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/feature_preprocessing.h>
+#include <CGAL/Point_set_consolidation_3/core/feature_enhanced.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 #include <utility>
@@ -88,7 +88,7 @@ bool optimize_normals_across_edges(PointRange& points, const NamedParameters& na
   constexpr std::size_t least_points = 10;
 
   const Points world = copy_points(function, points, np, least_points);
-  Points normals = copy_normals(function, points, np);
+  const Points normals = copy_normals(function, points, np);
   require(!normals.empty(), function, "needs a normal_map");
   Feature_parameters parameters;
   parameters.oriented = true;
@@ -98,27 +98,19 @@ bool optimize_normals_across_edges(PointRange& points, const NamedParameters& na
   const bool moves = parameter_or(np, tags::enhance_features, false);
 
   Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
-  const Frame frame = data_frame(execution, world, world.size());
-  require(frame.unit > 0, function, "more than half of the points coincide");
-  Points local = local_points(frame, world);
+  Oriented_points result;
   try {
-    Stage stage(execution, "normals", 1);
-    bool have_sides = true;
-    for(const Vec3& n : normals)
-      have_sides = have_sides && n.squaredNorm() > 0;
-    if(!have_sides)
-      normals = estimated_normals(execution, local);
-    stage.update(0.3);
-    enhance_features(execution, local, normals, parameters);
+    result = separate_at_edges(execution, world, normals, parameters);
     execution.progress.finish();
   }
   catch(const Cancelled&) {
     return false;
   }
+  catch(const std::invalid_argument& error) {
+    throw_invalid(function, error.what());
+  }
   report_stage_times(np, execution.times);
-  if(moves)
-    make_world(frame, local);
-  put_points(points, np, moves ? local : world, normals);
+  put_points(points, np, moves ? result.points : world, result.normals);
   return true;
 }
 
@@ -251,7 +243,7 @@ OutputIterator anisotropic_edge_aware_upsample_point_set(
   Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Oriented_points result;
   try {
-    result = upsample_at_edges(execution, 1, world, normals, parameters);
+    result = upsample_edge_aware(execution, world, normals, parameters);
     execution.progress.finish();
   }
   catch(const Cancelled&) {

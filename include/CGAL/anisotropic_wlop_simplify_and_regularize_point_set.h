@@ -9,7 +9,7 @@
 #ifndef CGAL_ANISOTROPIC_WLOP_SIMPLIFY_AND_REGULARIZE_POINT_SET_H
 #define CGAL_ANISOTROPIC_WLOP_SIMPLIFY_AND_REGULARIZE_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/feature_preprocessing.h>
+#include <CGAL/Point_set_consolidation_3/core/feature_enhanced.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 #include <utility>
@@ -177,7 +177,7 @@ OutputIterator anisotropic_wlop_simplify_and_regularize_point_set(
   Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Oriented_points result;
   try {
-    result = project_anisotropically(execution, 1, world, std::move(normals), settings);
+    result = simplify_anisotropically(execution, world, normals, settings);
     execution.progress.finish();
   }
   catch(const Cancelled&) {

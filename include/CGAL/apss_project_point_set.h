@@ -8,51 +8,10 @@
 #ifndef CGAL_APSS_PROJECT_POINT_SET_H
 #define CGAL_APSS_PROJECT_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
-#include <CGAL/Point_set_consolidation_3/internal/place_order.h>
-#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 namespace CGAL {
-
-/// \cond SKIP_IN_MANUAL
-namespace Point_set_consolidation_3 {
-namespace internal {
-
-/// Default support of an algebraic surface, in spacings of its points (the mean distance to six
-/// neighbours): smooths noise of a third of the spacing well and keeps features of twice the support.
-constexpr double apss_support = 4;
-
-/// Reads the support `neighbor_radius` in units of the frame.
-template <typename NP>
-double apss_radius(const char* function, const NP& np, const Frame& frame)
-{
-  const double radius =
-    not_negative(function, np, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
-  return radius > 0 ? radius / frame.unit : apss_support;
-}
-
-/// The frame of a surface: unit is its spacing.
-inline Frame apss_frame(const Execution& execution, const Points& points)
-{
-  Frame frame;
-  if(!points.empty())
-    frame = data_frame(execution, points, points.size());
-  if(!(frame.unit > 0))
-    frame.unit = 1;  // most points coincide
-  return frame;
-}
-
-inline Points to_frame(const Frame& frame, Points points)
-{
-  for(Vec3& p : points)
-    p = frame.to_local(p);
-  return points;
-}
-
-}  // namespace internal
-}  // namespace Point_set_consolidation_3
-/// \endcond
 
 /*!
   \ingroup PkgPointSetConsolidation3Operators
@@ -129,41 +88,26 @@ std::size_t apss_project_point_set(PointRange& points,
   const auto& pack = cgal_np(np);
 
   const Points input = copy_points(function, points, pack, 0);
-  Points normals = copy_unit_normals(function, points, pack);
+  const Points normals = copy_unit_normals(function, points, pack);
   const std::vector<char> is_constrained = copy_constrained(points, pack);
   const unsigned int iterations =
     parameter_or(pack, CGAL::internal_np::number_of_iterations, 3u);
   require(iterations <= 1000, function, "number_of_iterations is too large");
 
-  std::size_t number = 0;
-  Points projected;
+  const double radius =
+    not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
+
+  Moved_points result;
   try {
     Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
-    {
-      Stage stage(execution, "projection", 1);
-      const Frame frame = apss_frame(execution, input);
-      const Algebraic_surface surface(to_frame(frame, input), normals,
-                                      apss_radius(function, pack, frame));
-      projected = input;
-      std::vector<char> moved(input.size(), 0);
-      parallel_for_places(execution, input, [&](std::size_t i) {
-        if(!is_constrained.empty() && is_constrained[i])
-          return;
-        Vec3 x = surface.points()[i];
-        moved[i] = surface.project(x, normals[i], iterations);
-        if(moved[i])
-          projected[i] = frame.to_world(x);
-      });
-      for(const char m : moved)
-        number += m != 0;
-    }
+    result = project_to_algebraic_surface(execution, input, normals, is_constrained, radius, iterations);
     execution.progress.finish();
   }
   catch(const Cancelled&) {
     return 0;
   }
-  put_points(points, pack, projected, normals);
-  return number;
+  put_points(points, pack, result.points, result.normals);
+  return result.number;
 }
 
 }  // namespace CGAL

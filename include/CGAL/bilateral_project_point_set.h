@@ -8,8 +8,7 @@
 #ifndef CGAL_BILATERAL_PROJECT_POINT_SET_H
 #define CGAL_BILATERAL_PROJECT_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/bilateral_projection.h>
-#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 namespace CGAL {
@@ -91,7 +90,7 @@ double bilateral_project_point_set(PointRange& points,
   const auto& pack = cgal_np(np);
 
   const Points input = copy_points(function, points, pack, 0);
-  Points normals = copy_unit_normals(function, points, pack);
+  const Points normals = copy_unit_normals(function, points, pack);
   const std::vector<char> is_constrained = copy_constrained(points, pack);
   Bilateral_parameters parameters;
   parameters.sharpness_angle =
@@ -99,40 +98,22 @@ double bilateral_project_point_set(PointRange& points,
   require(parameters.sharpness_angle <= 90, function, "sharpness_angle must be at most 90");
   parameters.iterations = parameter_or(pack, CGAL::internal_np::number_of_iterations, 3u);
   require(parameters.iterations <= 100000, function, "number_of_iterations is too large");
-  const double radius =
-    not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
+  parameters.radius = not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
   if(input.size() < 2)
     return 0;
 
-  Points projected = input;
-  double distance = 0;
+  Moved_points result;
   try {
     Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
-    Frame frame = data_frame(execution, input, input.size());
-    if(!(frame.unit > 0)) {
-      if(!(radius > 0))
-        return 0;
-      frame.unit = radius;
-    }
-    for(Vec3& p : projected)
-      p = frame.to_local(p);
-    constexpr double default_radius = 3;  // spacings: some 28 neighbours
-    parameters.radius = radius > 0 ? radius / frame.unit : default_radius;
-    {
-      Stage stage(execution, "bilateral projection", 1);
-      project_bilaterally(execution, stage, projected, normals, is_constrained, parameters);
-    }
+    result = project_bilaterally_in_place(execution, input, normals, is_constrained, parameters);
     execution.progress.finish();
-    for(std::size_t i = 0; i < projected.size(); ++i) {
-      projected[i] = frame.to_world(projected[i]);
-      distance += (projected[i] - input[i]).norm() / double(input.size());
-    }
   }
   catch(const Cancelled&) {
     return 0;
   }
-  put_points(points, pack, projected, normals);
-  return distance;
+  if(!result.points.empty())
+    put_points(points, pack, result.points, result.normals);
+  return result.distance;
 }
 
 }  // namespace CGAL

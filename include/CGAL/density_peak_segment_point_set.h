@@ -9,7 +9,7 @@
 #ifndef CGAL_DENSITY_PEAK_SEGMENT_POINT_SET_H
 #define CGAL_DENSITY_PEAK_SEGMENT_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/segmentation.h>
+#include <CGAL/Point_set_consolidation_3/core/feature_enhanced.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
@@ -131,7 +131,7 @@ std::size_t density_peak_segment_point_set(
   Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Segmentation segmentation;
   try {
-    segmentation = segment_points(execution, 1, world, normals, settings);
+    segmentation = segment(execution, world, normals, settings);
     execution.progress.finish();
   }
   catch(const Cancelled&) {

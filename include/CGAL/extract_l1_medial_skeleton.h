@@ -10,7 +10,7 @@
 #define CGAL_EXTRACT_L1_MEDIAL_SKELETON_H
 
 #include <CGAL/Curve_skeleton_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/l1_medial.h>
+#include <CGAL/Point_set_consolidation_3/core/curve_skeletons.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 namespace CGAL {
@@ -165,9 +165,7 @@ bool extract_l1_medial_skeleton(const PointRange& points, Curve_skeleton_3<Kerne
   Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Skeleton_graph graph;
   try {
-    graph = segments == 0 ? l1_medial_skeleton(execution, 1, world, parameters)
-                          : l1_medial_skeleton_of_segments(execution, world, labels, segments, true,
-                                                           parameters);
+    graph = extract_l1_skeleton(execution, world, labels, segments, parameters);
     execution.progress.finish();
   }
   catch(const Cancelled&) {

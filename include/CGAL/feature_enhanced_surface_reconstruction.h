@@ -12,7 +12,7 @@
 #include <CGAL/density_peak_segment_point_set.h>
 #include <CGAL/skeleton_driven_surface_reconstruction.h>
 
-#include <CGAL/Point_set_consolidation_3/internal/feature_reconstruction.h>
+#include <CGAL/Point_set_consolidation_3/core/feature_enhanced.h>
 
 #include <utility>
 
@@ -188,7 +188,7 @@ bool feature_enhanced_surface_reconstruction(
   Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Feature_enhanced_result result;
   try {
-    result = reconstruct_feature_enhanced(execution, world, std::move(normals), given, settings);
+    result = reconstruct_with_features(execution, world, normals, given, settings);
     execution.progress.finish();
   }
   catch(const Cancelled&) {
@@ -253,18 +253,12 @@ OutputIterator complete_point_set_along_skeleton(
     for(const std::size_t p : node.points)
       require(p < world.size(), function, "a vertex of the skeleton stands for a point that is not there");
   }
-  const Execution execution = make_execution<ConcurrencyTag>();
-  const Frame frame = data_frame(execution, world, world.size());
-  require(frame.unit > 0, function, "more than half of the points coincide");
   Points normals = copy_normals(function, points, np);
-  if(normals.empty())
-    normals = estimated_normals(execution, local_points(frame, world));
-  else
+  if(!normals.empty())
     normals = copy_unit_normals(function, points, np);
-  const Skeleton_completion completion(world, normals, frame.unit, graph);
-  Skeleton_completed_points completed;
+  Oriented_points completed;
   try {
-    completed = completion.run(std::vector<char>(graph.edges.size(), 1), trusts_all);
+    completed = complete_along(make_execution<ConcurrencyTag>(), world, normals, graph, trusts_all);
   }
   catch(const std::invalid_argument& error) {
     throw_invalid(function, error.what());

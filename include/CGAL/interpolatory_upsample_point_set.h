@@ -8,8 +8,7 @@
 #ifndef CGAL_INTERPOLATORY_UPSAMPLE_POINT_SET_H
 #define CGAL_INTERPOLATORY_UPSAMPLE_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/interpolatory_upsampling.h>
-#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 #include <utility>
@@ -100,53 +99,30 @@ interpolatory_upsample_point_set(const PointRange& points, OutputIterator output
   const char* const function = "interpolatory_upsample_point_set";
   const auto& pack = cgal_np(np);
 
-  Points positions = copy_points(function, points, pack, 0);
-  Points normals = copy_unit_normals(function, points, pack);
+  const Points positions = copy_points(function, points, pack, 0);
+  const Points normals = copy_unit_normals(function, points, pack);
   const std::vector<char> is_constrained = copy_constrained(points, pack);
-  const double radius =
+  Upsampling_parameters parameters;
+  parameters.support_radius =
     not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
-  const double spacing =
-    not_negative(function, pack, names::minimum_spacing, "minimum_spacing", 0);
-  const std::size_t first = positions.size();
-  if(first < 3)
+  parameters.least_distance = not_negative(function, pack, names::minimum_spacing, "minimum_spacing", 0);
+  parameters.most_points =
+    parameter_or(pack, CGAL::internal_np::number_of_output_points, parameters.most_points);
+  if(positions.size() < 3)
     return output;
 
-  Frame frame;
+  Moved_points inserted;
   try {
     Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
-    frame = data_frame(execution, positions, positions.size());
-    if(!(frame.unit > 0))
-      return output;
-    for(Vec3& p : positions)
-      p = frame.to_local(p);
-    constexpr std::size_t neighbors = 20;
-    Upsampling_parameters parameters;
-    parameters.support_radius =
-      radius > 0 ? radius / frame.unit
-                 : 2 * median(neighbor_distances(execution, Nearest_neighbors(positions),
-                                                 positions, neighbors));
-    constexpr double default_share = 0.1;  // of h
-    parameters.least_distance =
-      spacing > 0 ? spacing / frame.unit : default_share * parameters.support_radius;
-    parameters.most_points = parameter_or(pack, CGAL::internal_np::number_of_output_points,
-                                          (std::numeric_limits<std::size_t>::max)());
-    std::vector<std::size_t> centres;
-    for(std::size_t i = 0; i < first; ++i)
-      if(is_constrained.empty() || !is_constrained[i])
-        centres.push_back(i);
-    {
-      Stage stage(execution, "up-sampling", 1);
-      Interpolatory_upsampling(execution, parameters)
-        .run(stage, positions, normals, std::move(centres));
-    }
+    inserted = upsample_by_interpolation(execution, positions, normals, is_constrained, parameters);
     execution.progress.finish();
   }
   catch(const Cancelled&) {
     return output;
   }
-  for(std::size_t i = first; i < positions.size(); ++i)
-    *output++ = std::make_pair(to_point<Traits>(frame.to_world(positions[i])),
-                               to_vector<Traits>(normals[i]));
+  for(std::size_t i = 0; i < inserted.points.size(); ++i)
+    *output++ =
+      std::make_pair(to_point<Traits>(inserted.points[i]), to_vector<Traits>(inserted.normals[i]));
   return output;
 }
 

@@ -9,7 +9,7 @@
 #define CGAL_ITERATIVE_CONSOLIDATE_POINT_SET_H
 
 #include <CGAL/Algebraic_point_set_surface_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/iterative_consolidation.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/internal/scan_directions.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 #include <CGAL/bilateral_project_point_set.h>

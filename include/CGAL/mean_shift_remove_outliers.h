@@ -8,7 +8,7 @@
 #ifndef CGAL_MEAN_SHIFT_REMOVE_OUTLIERS_H
 #define CGAL_MEAN_SHIFT_REMOVE_OUTLIERS_H
 
-#include <CGAL/Point_set_consolidation_3/internal/mean_shift.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 namespace CGAL {
@@ -97,10 +97,7 @@ mean_shift_remove_outliers(const PointRange& points, OutputIterator output,
   std::vector<char> is_outlier;
   try {
     Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
-    {
-      Stage stage(execution, "mean shift", 1);
-      is_outlier = mean_shift_outliers(execution, input, parameters);
-    }
+    is_outlier = find_mean_shift_outliers(execution, input, parameters);
     execution.progress.finish();
   }
   catch(const Cancelled&) {

@@ -10,8 +10,7 @@
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Deep_points_consolidation_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/meso_graph.h>
-#include <CGAL/Point_set_consolidation_3/internal/meso_io.h>
+#include <CGAL/Point_set_consolidation_3/core/meso_skeleton.h>
 
 #include <array>
 #include <fstream>
@@ -199,7 +198,7 @@ bool meso_skeleton_to_graph(Deep_points_consolidation_3<Traits, ConcurrencyTag>&
     shape.is_unanchored.push_back(consolidation.anchoring(i) == Point_set_consolidation_3::Anchoring::unanchored);
   }
   const internal::Execution execution = internal::make_execution<ConcurrencyTag>();
-  internal::Meso_graph meso = internal::Meso_graph_builder(execution, shape, parameters).run();
+  internal::Meso_graph meso = internal::build_meso_graph(execution, shape, parameters);
 
   internal::assign<Traits>(skeleton.graph, internal::to_world(std::move(meso.graph), frame));
   skeleton.triangles = std::move(meso.triangles);
@@ -235,15 +234,14 @@ bool write_meso_skeleton(const std::string& name, const Meso_skeleton_3<Kernel>&
   const auto ends_with = [&](const std::string& end) {
     return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
   };
-  typedef void (*Writer)(std::ostream&, const internal::Meso_graph&);
-  const Writer writer = ends_with(".ply")   ? internal::write_meso_ply
-                        : ends_with(".obj") ? internal::write_meso_obj
-                        : ends_with(".ma")  ? internal::write_meso_ma
-                                            : nullptr;
-  internal::require(writer != nullptr, "write_meso_skeleton", "the name must end with .ply, .obj or .ma");
+  const bool is_ply = ends_with(".ply"), is_obj = ends_with(".obj");
+  internal::require(is_ply || is_obj || ends_with(".ma"), "write_meso_skeleton",
+                    "the name must end with .ply, .obj or .ma");
   const internal::Meso_graph meso = internal::to_meso_graph<Kernel>(skeleton);
   std::ofstream out(name);
-  writer(out, meso);
+  internal::write(out, meso, is_ply   ? internal::Meso_format::PLY
+                             : is_obj ? internal::Meso_format::OBJ
+                                      : internal::Meso_format::MA);
   out.flush();
   return bool(out);
 }

@@ -8,8 +8,7 @@
 #ifndef CGAL_REPULSE_ALONG_APSS_H
 #define CGAL_REPULSE_ALONG_APSS_H
 
-#include <CGAL/Point_set_consolidation_3/internal/repulsion.h>
-#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 
 namespace CGAL {
@@ -107,8 +106,8 @@ double repulse_along_apss(PointRange& points,
   const char* const function = "repulse_along_apss";
   const auto& pack = cgal_np(np);
 
-  Points particles = copy_points(function, points, pack, 0);
-  Points normals = copy_unit_normals(function, points, pack);
+  const Points particles = copy_points(function, points, pack, 0);
+  const Points normals = copy_unit_normals(function, points, pack);
   const std::vector<char> is_constrained = copy_constrained(points, pack);
   const bool printed = parameter_or(pack, names::printed_values, false);
   Repulsion_parameters parameters =
@@ -122,39 +121,23 @@ double repulse_along_apss(PointRange& points,
   parameters.projections =
     parameter_or(pack, names::number_of_projections, (unsigned int)(parameters.projections));
   require(parameters.projections <= 100, function, "number_of_projections must be at most 100");
-  const double radius =
+  parameters.support_radius =
     not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
   if(particles.size() < 2)
     return 0;
 
-  double distance = 0;
+  Moved_points result;
   try {
     Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
-    const Frame frame = data_frame(execution, particles, particles.size());
-    if(!(frame.unit > 0))
-      return 0;
-    for(Vec3& p : particles)
-      p = frame.to_local(p);
-    constexpr std::size_t neighbors = 20;
-    parameters.support_radius =
-      radius > 0 ? radius / frame.unit
-                 : 2 * median(neighbor_distances(execution, Nearest_neighbors(particles),
-                                                 particles, neighbors));
-    parameters.largest_step = parameters.support_radius / 2;  // L_avg
-    {
-      Stage stage(execution, "repulsion", 1);
-      distance = frame.unit * Surface_repulsion(execution, particles, normals, parameters)
-                                .run(stage, particles, normals, is_constrained);
-    }
+    result = repulse_along_algebraic_surface(execution, particles, normals, is_constrained, parameters);
     execution.progress.finish();
-    for(Vec3& p : particles)
-      p = frame.to_world(p);
   }
   catch(const Cancelled&) {
     return 0;
   }
-  put_points(points, pack, particles, normals);
-  return distance;
+  if(!result.points.empty())
+    put_points(points, pack, result.points, result.normals);
+  return result.distance;
 }
 
 }  // namespace CGAL

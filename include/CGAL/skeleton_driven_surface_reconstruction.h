@@ -9,8 +9,8 @@
 #define CGAL_SKELETON_DRIVEN_SURFACE_RECONSTRUCTION_H
 
 #include <CGAL/Curve_skeleton_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/range_access.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_surface.h>
+#include <CGAL/Point_set_consolidation_3/internal/write_back.h>
+#include <CGAL/Point_set_consolidation_3/core/curve_skeletons.h>
 #include <CGAL/Point_set_consolidation_3/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -130,8 +130,8 @@ bool skeleton_driven_surface_reconstruction(
   const auto& cgal = cgal_np(np);
 
   constexpr std::size_t least_points = 4;
-  Points positions = copy_points(f, points, cgal, least_points);
-  Skeleton_graph graph = to_skeleton_graph<Kernel>(skeleton);
+  const Points positions = copy_points(f, points, cgal, least_points);
+  const Skeleton_graph graph = to_skeleton_graph<Kernel>(skeleton);
   require(!graph.nodes.empty(), f, "the skeleton has no vertex");
   for(const Skeleton_node& node : graph.nodes) {
     require(node.position.allFinite() && std::isfinite(node.radius), f,
@@ -152,20 +152,12 @@ bool skeleton_driven_surface_reconstruction(
   require(p.resolution >= 8 && p.resolution <= 1024, f, "grid_resolution must be in [8, 1024]");
   p.adaptive = parameter_or(cgal, names::adaptive, p.adaptive);
 
-  // the frame keeps lengths near one
-  const Bounding_box box = bounding_box(positions);
-  Frame frame;
-  frame.origin = box.centre();
-  frame.unit = box.sides().maxCoeff();
-  require(frame.unit > 0, f, "all points are equal");
-  for(Vec3& x : positions)
-    x = frame.to_local(x);
+  require(bounding_box(positions).sides().maxCoeff() > 0, f, "all points are equal");
 
   Execution execution = make_execution<ConcurrencyTag>(callback_of(cgal));
   Surface_triangles surface;
   try {
-    surface = reconstruct_from_skeleton(execution, positions, Points(),
-                                        to_local(std::move(graph), frame), {}, p);
+    surface = reconstruct_around_skeleton(execution, positions, graph, p);
     execution.progress.finish();
   }
   catch(const Cancelled&) {
@@ -176,13 +168,10 @@ bool skeleton_driven_surface_reconstruction(
     throw std::runtime_error(std::string(f) + "(): no surface: the skeleton's radii are too small for "
                              "the resolution, or data contradict them");
 
-  typedef typename Kernel::FT FT;
   std::vector<typename Kernel::Point_3> vertices;
   vertices.reserve(surface.vertices.size());
-  for(const Vec3& v : surface.vertices) {
-    const Vec3 w = frame.to_world(v);
-    vertices.emplace_back(FT(w.x()), FT(w.y()), FT(w.z()));
-  }
+  for(const Vec3& v : surface.vertices)
+    vertices.push_back(to_point<Kernel>(v));
   CGAL::clear(mesh);
   Polygon_mesh_processing::polygon_soup_to_polygon_mesh(vertices, surface.triangles, mesh);
   return true;

@@ -8,9 +8,10 @@
 #ifndef CGAL_WLOP_PROJECT_POINT_SET_H
 #define CGAL_WLOP_PROJECT_POINT_SET_H
 
-#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
-#include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
+#include <CGAL/Point_set_consolidation_3/core/iterative_consolidation.h>
 #include <CGAL/Point_set_consolidation_3/internal/write_back.h>
+
+#include <algorithm>
 
 namespace CGAL {
 
@@ -118,62 +119,39 @@ wlop_project_point_set(const PointRange& points, OutputIterator output,
   const char* const function = "wlop_project_point_set";
   const auto& pack = cgal_np(np);
 
-  Points data = copy_points(function, points, pack, 1);
-  Points particles = points_parameter(function, "initial_sample", pack, names::initial_sample);
-  Points statics = points_parameter(function, "static_sample", pack, names::static_sample);
+  const Points data = copy_points(function, points, pack, 1);
+  const Points sample = points_parameter(function, "initial_sample", pack, names::initial_sample);
+  const Points statics = points_parameter(function, "static_sample", pack, names::static_sample);
   const double fraction =
     positive(function, pack, names::particle_fraction, "particle_fraction", 0.1);
   require(fraction <= 1, function, "particle_fraction must be at most 1");
   constexpr std::size_t least_particles = 500;
-  const std::size_t count = parameter_or(
+  Wlop_settings settings;
+  settings.count = parameter_or(
     pack, CGAL::internal_np::number_of_output_points,
     (std::max)(least_particles, std::size_t(fraction * double(data.size()))));
-  require(count > 0, function, "number_of_output_points must be positive");
-  const std::uint64_t seed = parameter_or(pack, CGAL::internal_np::random_seed, 0u);
-  Wlop_parameters parameters;
+  require(settings.count > 0, function, "number_of_output_points must be positive");
+  settings.seed = parameter_or(pack, CGAL::internal_np::random_seed, 0u);
+  Wlop_parameters& parameters = settings.parameters;
   parameters.repulsion =
     not_negative(function, pack, names::repulsion_weight, "repulsion_weight", 0.45);
   require(parameters.repulsion < 0.5, function, "repulsion_weight must be less than 0.5");
   parameters.iterations = parameter_or(pack, CGAL::internal_np::number_of_iterations, 30u);
   require(parameters.iterations <= 100000, function, "number_of_iterations is too large");
-  double h = not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
+  parameters.support_radius =
+    not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
 
-  std::size_t number_of_statics = statics.size();
-  Frame frame;
+  Points particles;
   try {
     Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
-    frame = data_frame(execution, data, (std::min)(count, data.size()));
-    if(!(frame.unit > 0))
-      frame.unit = 1;  // most points coincide: h decides
-    for(Points* set : {&data, &particles, &statics})
-      for(Vec3& p : *set)
-        p = frame.to_local(p);
-    if(particles.empty())
-      for(const std::size_t i : random_subset(data.size(), count, seed))
-        particles.push_back(data[i]);
-    particles.insert(particles.begin(), statics.begin(), statics.end());
-    constexpr std::size_t neighbors = 20;
-    h = h > 0 ? h / frame.unit
-              : 2 * median(neighbor_distances(execution, Nearest_neighbors(particles), particles,
-                                              neighbors));
-    if(h > 0) {
-      Stage stage(execution, "wlop", 1);
-      parameters.support_radius = h;
-      const Wlop_kernel kernel(h);
-      const Sorted_grid grid(data, kernel.reach);
-      const std::vector<double> densities = wlop_densities(execution, grid, data, kernel);
-      std::vector<char> is_static(particles.size(), 0);
-      std::fill_n(is_static.begin(), number_of_statics, 1);
-      Wlop_projection<>(execution, {&grid, &densities}, parameters)
-        .run(stage, particles, is_static);
-    }
+    particles = project_by_wlop(execution, data, sample, statics, settings);
     execution.progress.finish();
   }
   catch(const Cancelled&) {
     return output;
   }
-  for(std::size_t i = number_of_statics; i < particles.size(); ++i)
-    *output++ = to_point<Traits>(frame.to_world(particles[i]));
+  for(const Vec3& p : particles)
+    *output++ = to_point<Traits>(p);
   return output;
 }
 

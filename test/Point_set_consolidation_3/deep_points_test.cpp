@@ -10,6 +10,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/view_estimation.h>
+#include <CGAL/Point_set_consolidation_3/internal/working_boxes.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/complete_point_set.h>
 #include <CGAL/deep_points_consolidate_point_set.h>

@@ -10,6 +10,7 @@
 
 #undef NDEBUG
 
+#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

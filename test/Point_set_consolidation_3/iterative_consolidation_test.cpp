@@ -5,6 +5,10 @@
 
 #undef NDEBUG
 
+#include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
+#include <CGAL/Point_set_consolidation_3/internal/free_space.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
 #include <CGAL/iterative_consolidate_point_set.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -8,6 +8,9 @@
 #include "scan_rays.h"
 
 #include <CGAL/Deep_points_consolidation_3.h>
+#include <CGAL/Point_set_consolidation_3/internal/meso_graph.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_homology.h>
+#include <CGAL/Point_set_consolidation_3/internal/spanning_disc.h>
 #include <CGAL/meso_skeleton_to_graph.h>
 
 #include <cassert>

@@ -9,6 +9,8 @@
 
 #include "scan_rays.h"
 
+#include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
+#include <CGAL/Point_set_consolidation_3/internal/mirror_symmetry.h>
 #include <CGAL/complete_point_set.h>
 
 #include <cassert>
@@ -85,8 +87,7 @@ inline bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
   raw.directions.view.assign(scan.points.size(), 0);
   psc::Input_parameters parameters;
   parameters.particles = 3000;
-  const psc::Consolidated_input input = psc::consolidate_input<CGAL::Parallel_if_available_tag>(
-    execution, 1, raw, parameters);
+  const psc::Consolidated_input input = psc::consolidate_input(execution, 1, raw, parameters);
   const psc::Free_space free_space(execution, input.data, input.directions, 0.5);
   const psc::Mirror_symmetry symmetry(execution, input.points, input.normals, free_space);
   const bool is_found = symmetry.find(plane, false);

@@ -4,6 +4,7 @@
 #undef NDEBUG
 
 #include <CGAL/Curve_skeleton_3.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
 #include <CGAL/extract_laplacian_contraction_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -9,7 +9,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ANISOTROPIC_WLOP_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ANISOTROPIC_WLOP_H
 
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_projection.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
@@ -22,17 +24,6 @@ namespace internal {
 /// Feature-enhanced surfaces paper, section III.A: a locally optimal projection whose weights know normals.
 /// In: data P with unit normals, the points Q to project and their normals (only `SEPARATED` uses
 /// them). Out: Q, projected; with `SEPARATED` on the surface of its own cluster, up to the edges.
-
-struct Anisotropic_wlop_parameters {
-  Anisotropic_formula formula = Anisotropic_formula::SEPARATED;
-  bool oriented = false;
-  double support_radius = 0;     ///< h
-  double plane_width = 0;        ///< sigma_p
-  double repulsion = 0.4;        ///< mu
-  std::size_t iterations = 20;   ///< as in figure 2
-  double sharpness_angle = 25;   ///< degrees
-  double edge_attraction = 0;    ///< points of the result nearer to an edge go onto it
-};
 
 class Anisotropic_wlop {
   static constexpr double cutoff = 0.75;               ///< of h: theta is 1e-4 there

@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/ball_clip.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/scalar_grid.h>
 
 #include <array>

@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/bilateral_weights.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
@@ -21,13 +22,6 @@ namespace internal {
 /// of its neighbours over the tangent plane, weighted by distance and by similarity of the normals, so that
 /// points beyond a sharp edge do not pull. After Fleishman, Drori and Cohen-Or, and the projection of
 /// Huang et al., Edge-Aware Point Set Resampling.
-
-struct Bilateral_parameters {
-  double radius = 2;               ///< neighbourhood, in the unit of the points
-  double sharpness_angle = 25;     ///< degrees: normals that differ by more belong to another face
-  std::size_t iterations = 3;
-  bool updates_normals = true;
-};
 
 /// theta is exp(-(2 d / radius)^2): 2 % at the border of the neighbourhood.
 constexpr double bilateral_theta_factor = 4;

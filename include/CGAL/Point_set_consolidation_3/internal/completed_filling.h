@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/flat_closure.h>
 #include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
 

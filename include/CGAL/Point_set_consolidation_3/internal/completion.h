@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/ball_union.h>
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
 #include <CGAL/Point_set_consolidation_3/internal/gap_selection.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/scalar_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>

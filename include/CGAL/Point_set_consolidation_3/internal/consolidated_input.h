@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
+#include <CGAL/Point_set_consolidation_3/internal/raw_scan.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
@@ -18,29 +19,21 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// What the caller knows, in his coordinates.
-struct Raw_scan {
-  Points points;
-  Points hints;                ///< rough normals; empty: none
-  Scan_directions directions;  ///< empty: none
-  Gap_parameters gaps;
-
-  Raw_scan part(const std::vector<Index>& kept) const
-  {
-    Raw_scan result = *this;
-    result.points = selected(points, kept);
-    const auto select = [&](auto& values) {
-      if(!values.empty())
-        values = selected(values, kept);
-    };
-    select(result.hints);
-    select(result.directions.towards_scanner);
-    select(result.directions.view);
-    select(result.gaps.priors);
-    select(result.gaps.is_frozen);
-    return result;
-  }
-};
+inline Raw_scan part_of(const Raw_scan& scan, const std::vector<Index>& kept)
+{
+  Raw_scan result = scan;
+  const auto select = [&](auto& values) {
+    if(!values.empty())
+      values = selected(values, kept);
+  };
+  select(result.points);
+  select(result.hints);
+  select(result.directions.towards_scanner);
+  select(result.directions.view);
+  select(result.gaps.priors);
+  select(result.gaps.is_frozen);
+  return result;
+}
 
 /// What a method starts from. All lengths are in units of `frame.unit`.
 struct Consolidated_input {

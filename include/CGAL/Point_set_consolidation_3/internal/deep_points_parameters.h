@@ -8,71 +8,57 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_DEEP_POINTS_PARAMETERS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_DEEP_POINTS_PARAMETERS_H
 
-#include <CGAL/Point_set_consolidation_3/internal/completion.h>
-#include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
-#include <CGAL/Point_set_consolidation_3/internal/meso_skeleton.h>
-#include <CGAL/Point_set_consolidation_3/internal/range_access.h>
-#include <CGAL/Point_set_consolidation_3/internal/sinking.h>
-#include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
+#include <CGAL/Point_set_consolidation_3/options.h>
 
-#include <CGAL/number_type_config.h>
+#include <cstddef>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// The methods' own parameters from the caller's named parameters, with their defaults and ranges.
+/// Deep points paper: the parameters of its sections, with defaults. Lengths in units of r.
 
-template <typename NP>
-Sinking_parameters read_sinking_parameters(const char* function, const NP& np)
-{
-  Sinking_parameters sinking;
-  sinking.smoothing_radius =
-    positive(function, np, internal_np::smoothing_radius, "smoothing_radius", 5);
-  sinking.collision_radius =
-    positive(function, np, internal_np::collision_radius, "collision_radius", 2);
-  require((std::max)(sinking.smoothing_radius, sinking.collision_radius) <= 50, function,
-          "smoothing_radius and collision_radius must be at most 50");
-  const double omega = positive(function, np, internal_np::collision_angle, "collision_angle", 45);
-  require(omega <= 170, function, "collision_angle must be at most 170 degrees");
-  sinking.collision_angle = omega * CGAL_PI / 180;
-  sinking.closing_step = parameter_or(np, internal_np::closing_step, true);
-  return sinking;
-}
+struct Input_parameters {
+  std::size_t particles = 0;          ///< |S|; 0: by `default_particles`
+  double neighbor_radius = 0;         ///< of WLOP, in the caller's unit; 0: twice the output's spacing
+  unsigned int iterations = 35;       ///< of WLOP
+  bool require_uniform_sampling = true;   ///< the paper's WLOP weighs by density
+  unsigned int normal_neighbors = 18;
+  bool denoise_along_rays = true;
+  bool detect_outliers = true;
+};
 
-template <typename NP>
-Meso_skeleton_parameters read_skeleton_parameters(const char* function, const NP& np)
-{
-  Meso_skeleton_parameters skeleton;
-  skeleton.collision_radius =
-    positive(function, np, internal_np::collision_radius, "collision_radius", 2);
-  skeleton.repulsion =
-    not_negative(function, np, internal_np::skeleton_repulsion, "skeleton_repulsion", 0.4);
-  skeleton.epsilon = positive(function, np, internal_np::axis_epsilon, "axis_epsilon", 0.1);
-  require(skeleton.epsilon >= 0.01, function, "axis_epsilon must be at least 0.01");
-  skeleton.iterations =
-    parameter_or(np, internal_np::number_of_skeleton_iterations, std::size_t(10));
-  return skeleton;
-}
+struct Sinking_parameters {
+  double smoothing_radius = 5;                    ///< sigma_p: static neighbourhoods on the surface
+  double collision_radius = 2;                    ///< sigma_q: dynamic neighbourhoods of inner points
+  double collision_angle = 0.78539816339744831;   ///< omega, radians
+  bool closing_step = true;                       ///< go on to where colliding fronts would touch
+  std::size_t max_iterations = 200;
+};
 
-template <typename NP>
-Surface_parameters read_surface_parameters(const char* function, const NP& np)
-{
-  Surface_parameters surface;
-  surface.smoothing_radius =
-    positive(function, np, internal_np::smoothing_radius, "smoothing_radius", 5);
-  surface.repulsion =
-    not_negative(function, np, internal_np::surface_repulsion, "surface_repulsion", 0.4);
-  surface.data_term = parameter_or(np, internal_np::data_term, Data_term::FULL);
-  surface.prior = parameter_or(np, internal_np::prior, Prior::VOLUME_PRESERVING);
-  surface.iterations =
-    parameter_or(np, internal_np::number_of_surface_iterations, std::size_t(90));
-  surface.completed_spacing =
-    not_negative(function, np, internal_np::completed_spacing, "completed_spacing", 1);
-  require(surface.completed_spacing == 0 || surface.completed_spacing >= 0.2, function,
-          "completed_spacing must be 0 or at least 0.2");
-  return surface;
-}
+struct Meso_skeleton_parameters {
+  double collision_radius = 2;   ///< sigma_q: neighbourhood of the principal component analysis
+  double repulsion = 0.4;        ///< mu
+  double epsilon = 0.1;          ///< bounds semi-axes by 1 / epsilon
+  std::size_t iterations = 10;   ///< movement never vanishes on an over-dense curve: a fixed count
+};
+
+struct Surface_parameters {
+  double smoothing_radius = 5;   ///< sigma_p
+  double repulsion = 0.4;        ///< mu hat
+  Data_term data_term = Data_term::FULL;
+  Prior prior = Prior::VOLUME_PRESERVING;
+  double shrinkage = 0.1;        ///< of the minimal volume prior, per iteration
+  std::size_t iterations = 90;   ///< until the fronts of half a tube of 60 r around have met
+  double completed_spacing = 1;  ///< to which completed regions are filled; 0: not at all
+};
+
+struct Meso_graph_parameters {
+  double sampling_radius = 0.02;            ///< distance of the nodes, in diagonals of the box of S
+  std::size_t largest_merged_cycle = 6;     ///< nodes
+  bool curves_only = false;                 ///< sheets are contracted to curves
+  bool extend_tips = false;                 ///< of curves, to the end of S
+};
 
 }  // namespace internal
 }  // namespace Point_set_consolidation_3

@@ -10,7 +10,9 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_DENSITY_PEAKS_H
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
@@ -25,11 +27,6 @@ namespace internal {
 /// Feature-enhanced surfaces paper, section IV.A: segments around peaks of the density. In: points. Out: a
 /// label for every point. Two versions: equation (7), where a point follows its nearest denser point
 /// wherever that is; and the same along a neighbour graph, where peaks of little prominence are merged.
-
-struct Segmentation {
-  std::vector<std::size_t> labels;
-  std::size_t count = 0;
-};
 
 /// Labels become 0, 1, .. in the order of their largest segments; ties in the order of the points.
 inline Segmentation numbered_by_size(const std::vector<std::size_t>& raw)

@@ -9,7 +9,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EDGE_AWARE_UPSAMPLING_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_EDGE_AWARE_UPSAMPLING_H
 
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_projection.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
@@ -23,16 +25,6 @@ namespace internal {
 ///
 /// Insertion goes in rounds: all bases are rated on the same set, then the best are taken as long as they
 /// do not crowd each other. So the result does not depend on threads, and a round is parallel.
-
-struct Edge_aware_parameters {
-  Upsampling_formula formula = Upsampling_formula::WEIGHTED;
-  bool oriented = false;
-  std::size_t number_of_points = 0;
-  double neighbor_radius = 3;    ///< bases lie between points at most so far apart
-  double sharpness_angle = 25;   ///< alpha, degrees
-  double edge_sensitivity = 0.5;   ///< prefers bases between normals that differ
-  double plane_width = 1;        ///< sigma_p
-};
 
 class Edge_aware_upsampling {
   static constexpr std::size_t rating_neighbors = 18;   ///< a base's nearest points are among them

@@ -11,6 +11,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/anisotropic_wlop.h>
 #include <CGAL/Point_set_consolidation_3/internal/edge_aware_upsampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 
 #include <stdexcept>
@@ -22,39 +23,11 @@ namespace internal {
 /// Feature-enhanced surfaces paper, section III: from the caller's points to projected and up-sampled ones,
 /// in the caller's coordinates.
 
-struct Oriented_points {
-  Points points, normals;
-};
-
 inline void require_spacing(const Frame& frame)
 {
   if(!(frame.unit > 0))
     throw std::invalid_argument("more than half of the points coincide: no spacing to work with");
 }
-
-/// The caller's points in units of their spacing.
-inline Points local_points(const Frame& frame, const Points& world)
-{
-  Points local;
-  local.reserve(world.size());
-  for(const Vec3& p : world)
-    local.push_back(frame.to_local(p));
-  return local;
-}
-
-inline void make_world(const Frame& frame, Points& points)
-{
-  for(Vec3& p : points)
-    p = frame.to_world(p);
-}
-
-struct Projection_settings {
-  Anisotropic_wlop_parameters wlop;   ///< lengths in the caller's unit; 0: default of the formula
-  bool repulsion_is_given = false;
-  bool enhances_features = true;      ///< normals and data are denoised first
-  std::size_t count = 0;              ///< |Q|
-  std::uint64_t seed = 0;
-};
 
 /// Section III.A. `normals` may be empty.
 inline Oriented_points project_anisotropically(Execution& execution, double share,
@@ -73,7 +46,7 @@ inline Oriented_points project_anisotropically(Execution& execution, double shar
     Stage stage(execution, "features", 0.4 * share);
     frame = data_frame(execution, world, world.size());
     require_spacing(frame);
-    data = local_points(frame, world);
+    data = frame.to_local(world);
     if(normals.empty())
       normals = estimated_normals(execution, data);
     stage.update(0.3);
@@ -107,7 +80,7 @@ inline Oriented_points project_anisotropically(Execution& execution, double shar
     result.normals.push_back(normals[i]);
   }
   Anisotropic_wlop(execution, data, normals, parameters).run(stage, result.points, result.normals);
-  make_world(frame, result.points);
+  result.points = frame.to_world(std::move(result.points));
   return result;
 }
 
@@ -122,7 +95,7 @@ inline Oriented_points upsample_at_edges(Execution& execution, double share, con
   parameters.neighbor_radius =
     parameters.neighbor_radius > 0 ? parameters.neighbor_radius / frame.unit : default_radius;
   parameters.plane_width = parameters.plane_width > 0 ? parameters.plane_width / frame.unit : 1;
-  Edge_aware_upsampling upsampling(execution, local_points(frame, world), normals, parameters);
+  Edge_aware_upsampling upsampling(execution, frame.to_local(world), normals, parameters);
   upsampling.run(stage);
   Oriented_points result;
   result.points = world;

@@ -8,7 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FEATURE_PROJECTION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FEATURE_PROJECTION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/normal_optimization.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 
 #include <optional>
 
@@ -200,13 +202,6 @@ inline void return_to_edges(const Execution& execution, Points& points, const Po
     points[i] = edges.returned_to_edge(points[i], normals[i], attraction);
   });
 }
-
-struct Feature_parameters {
-  bool oriented = false;
-  double sharpness_angle = 25;      ///< degrees
-  std::size_t rounds = 2;           ///< measured on CAD models: a third moves nothing
-  std::size_t plane_neighbors = 30;
-};
 
 /// Denoises points and gives them normals that separate clusters: normals and positions in turn, since planes
 /// fitted to denoised points tell clusters apart better.

@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FEATURE_RECONSTRUCTION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FEATURE_RECONSTRUCTION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_preprocessing.h>
 #include <CGAL/Point_set_consolidation_3/internal/segmentation.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_completion.h>
@@ -98,30 +99,6 @@ inline double share_of_weight(double noise)
   return 1 / (1 + noise * noise / (field_noise * field_noise));
 }
 
-struct Feature_enhanced_settings {
-  Segmentation_settings segmentation;
-  std::vector<Part_method> methods;   ///< of the segments; missing ones are automatic
-  bool enhances = false;  ///< on curved parts it flattens more than the field needs
-  double sharpness_angle = 20;
-  double upsampling_factor = 1;
-  Field_parameters field = with_normals();
-
-private:
-  static Field_parameters with_normals()
-  {
-    Field_parameters field;
-    field.normal_weight = 10;  // 5 leaves unseen parts worse, 20 makes handles
-    return field;
-  }
-};
-
-struct Feature_enhanced_result {
-  Segmentation segmentation;
-  Skeleton_graph skeleton;
-  Oriented_points fused;              ///< enhanced, up-sampled and completed points
-  Surface_triangles surface;
-};
-
 /// The whole 2018 pipeline on the caller's points; `given` may be empty (then the skeleton is extracted).
 inline Feature_enhanced_result
 reconstruct_feature_enhanced(Execution& execution, const Points& world, Points normals,
@@ -135,7 +112,7 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
     Stage stage(execution, "features", 0.2);
     frame = data_frame(execution, world, world.size());
     require_spacing(frame);
-    points = local_points(frame, world);
+    points = frame.to_local(world);
     if(normals.empty())
       normals = estimated_normals(execution, points);
     stage.update(0.3);
@@ -232,12 +209,12 @@ reconstruct_feature_enhanced(Execution& execution, const Points& world, Points n
   const double cell = field_frame.unit / double(field.resolution);
   field.surface_weight *= share_of_weight(measured_noise(execution, points) / cell);
   result.surface =
-    reconstruct_from_skeleton(execution, local_points(field_frame, fused.points), fused.normals,
+    reconstruct_from_skeleton(execution, field_frame.to_local(fused.points), fused.normals,
                               to_local(result.skeleton, field_frame), is_constraint,
                               field);
   for(Vec3& v : result.surface.vertices)
     v = frame.to_world(field_frame.to_world(v));
-  make_world(frame, fused.points);
+  fused.points = frame.to_world(std::move(fused.points));
   result.skeleton = to_world(std::move(result.skeleton), frame);
   return result;
 }

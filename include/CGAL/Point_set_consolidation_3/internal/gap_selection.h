@@ -15,6 +15,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/data_hull.h>
 #include <CGAL/Point_set_consolidation_3/internal/flat_closure.h>
 #include <CGAL/Point_set_consolidation_3/internal/gaps.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 
 #include <array>

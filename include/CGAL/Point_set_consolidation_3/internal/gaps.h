@@ -10,6 +10,8 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
+#include <CGAL/Point_set_consolidation_3/internal/raw_scan.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
 #include <algorithm>
@@ -20,26 +22,6 @@
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
-
-/// What the caller wants of the gaps. Lengths in r.
-struct Gap_parameters {
-  double largest = (std::numeric_limits<double>::max)();  ///< wider gaps stay open
-  Prior prior = Prior::VOLUME_PRESERVING;
-  double shrinkage = 0.1;             ///< of the minimal volume prior, per r of distance from the data
-  std::vector<Prior> priors;          ///< one per datum; empty: `prior` everywhere
-  std::vector<char> is_frozen;        ///< one per datum: nothing is completed next to it; empty: none
-
-  /// The prior of most of the data at the border of a gap.
-  Prior prior_of(const std::vector<Index>& border) const
-  {
-    if(priors.empty())
-      return prior;
-    std::array<std::size_t, 3> votes = {};
-    for(const Index i : border)
-      ++votes[std::size_t(priors[i])];
-    return Prior(std::max_element(votes.begin(), votes.end()) - votes.begin());
-  }
-};
 
 /// Data nearest to the points of a gap, each once.
 inline std::vector<Index> border_of(const Execution& execution, const Nearest_neighbors& data_tree,

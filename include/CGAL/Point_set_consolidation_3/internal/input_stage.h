@@ -9,11 +9,12 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INPUT_STAGE_H
 
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
+#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/isolated_points.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
-#include <CGAL/Point_set_consolidation_3/internal/range_access.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_denoising.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
@@ -54,12 +55,26 @@ struct Indexed_point_map {
   }
 };
 
+/// Calls `work` with CGAL's tag for the way this runs.
+template <typename Work>
+void with_concurrency_tag(const Execution& execution, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution.parallel) {
+    work(Parallel_tag());
+    return;
+  }
+#else
+  (void)execution;
+#endif
+  work(Sequential_tag());
+}
+
 /// CGAL's WLOP with the neighbourhood that measured best: twice the spacing of the output. (Its own
 /// default, eight spacings of the input, depends on the share that is kept.) Works on indices:
 /// CGAL shuffles the range it is given, and this is where most memory is in use.
-template <typename ConcurrencyTag>
-Points wlop(Execution& execution, Stage& stage, const Points& data, std::size_t count,
-            double neighbor_radius, unsigned int iterations, bool require_uniform_sampling)
+inline Points wlop(Execution& execution, Stage& stage, const Points& data, std::size_t count,
+                   double neighbor_radius, unsigned int iterations, bool require_uniform_sampling)
 {
   if(count >= data.size())
     count = data.size();
@@ -77,12 +92,14 @@ Points wlop(Execution& execution, Stage& stage, const Points& data, std::size_t 
                       .neighbor_radius(neighbor_radius)
                       .number_of_iterations(iterations)
                       .require_uniform_sampling(require_uniform_sampling);
-    if(observer)
-      CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(
-        shuffled, std::back_inserter(output), np.callback([&](double f) { return observer(f); }));
-    else
-      CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(
-        shuffled, std::back_inserter(output), np);
+    with_concurrency_tag(execution, [&](auto tag) {
+      typedef decltype(tag) Tag;
+      if(observer)
+        CGAL::wlop_simplify_and_regularize_point_set<Tag>(
+          shuffled, std::back_inserter(output), np.callback([&](double f) { return observer(f); }));
+      else
+        CGAL::wlop_simplify_and_regularize_point_set<Tag>(shuffled, std::back_inserter(output), np);
+    });
   });
   Points points;
   points.reserve(output.size());
@@ -99,8 +116,7 @@ typedef CGAL::Nth_of_tuple_property_map<0, Oriented_tuple> Tuple_point_map;
 typedef CGAL::Nth_of_tuple_property_map<1, Oriented_tuple> Tuple_normal_map;
 
 /// Unoriented normals by CGAL's jet fitting; +z where the fit fails.
-template <typename ConcurrencyTag>
-Points jet_normals(const Points& points, unsigned int neighbors)
+inline Points jet_normals(const Execution& execution, const Points& points, unsigned int neighbors)
 {
   std::vector<Oriented_tuple> tuples(points.size());
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -113,10 +129,13 @@ Points jet_normals(const Points& points, unsigned int neighbors)
   constexpr std::size_t jet_points = 6;
   neighbors = (unsigned int)((std::min)(std::size_t(neighbors), points.size() - 1));
   const auto np = CGAL::parameters::point_map(Tuple_point_map()).normal_map(Tuple_normal_map());
-  if(neighbors + 1 >= jet_points)
-    CGAL::jet_estimate_normals<ConcurrencyTag>(tuples, neighbors, np);
-  else
-    CGAL::pca_estimate_normals<ConcurrencyTag>(tuples, (std::max)(2u, neighbors), np);
+  with_concurrency_tag(execution, [&](auto tag) {
+    typedef decltype(tag) Tag;
+    if(neighbors + 1 >= jet_points)
+      CGAL::jet_estimate_normals<Tag>(tuples, neighbors, np);
+    else
+      CGAL::pca_estimate_normals<Tag>(tuples, (std::max)(2u, neighbors), np);
+  });
   for(std::size_t i = 0; i < points.size(); ++i) {
     const Core_kernel::Vector_3& n = std::get<1>(tuples[i]);
     const Vec3 v(n.x(), n.y(), n.z());
@@ -124,45 +143,6 @@ Points jet_normals(const Points& points, unsigned int neighbors)
       normals[i] = normalized_or(v, Vec3::UnitZ());
   }
   return normals;
-}
-
-struct Input_parameters {
-  std::size_t particles = 0;          ///< |S|; 0: by `default_particles`
-  double neighbor_radius = 0;         ///< of WLOP, in the caller's unit; 0: twice the output's spacing
-  unsigned int iterations = 35;       ///< of WLOP
-  bool require_uniform_sampling = true;   ///< the paper's WLOP weighs by density
-  unsigned int normal_neighbors = 18;
-  bool denoise_along_rays = true;
-  bool detect_outliers = true;
-};
-
-template <typename NP>
-Input_parameters read_input_parameters(const char* function, const NP& np, std::size_t n)
-{
-  Input_parameters input;
-  if constexpr(has_parameter<NP, CGAL::internal_np::number_of_output_points_t>) {
-    input.particles =
-      parameter_or(np, CGAL::internal_np::number_of_output_points, std::size_t(0));
-    require(input.particles > 0, function, "number_of_output_points must be positive");
-  }
-  else if constexpr(has_parameter<NP, CGAL::internal_np::select_percentage_t>) {
-    const double percentage =
-      positive(function, np, CGAL::internal_np::select_percentage, "select_percentage", 5);
-    require(percentage <= 100, function, "select_percentage must be at most 100");
-    input.particles = (std::max)(std::size_t(1), std::size_t(percentage / 100 * double(n)));
-  }
-  if constexpr(has_parameter<NP, CGAL::internal_np::neighbor_radius_t>)
-    input.neighbor_radius =
-      positive(function, np, CGAL::internal_np::neighbor_radius, "neighbor_radius", 1);
-  input.iterations = parameter_or(np, CGAL::internal_np::number_of_iterations, 35u);
-  require(input.iterations > 0 && input.iterations <= 100000, function,
-          "number_of_iterations must be in [1, 100000]");
-  input.require_uniform_sampling =
-    parameter_or(np, CGAL::internal_np::require_uniform_sampling, true);
-  input.denoise_along_rays =
-    parameter_or(np, Point_set_consolidation_3::internal_np::denoise_along_rays, true);
-  input.detect_outliers = parameter_or(np, Point_set_consolidation_3::internal_np::detect_outliers, true);
-  return input;
 }
 
 /// A twentieth of the data, at least 4000 points: enough for the shapes of the accuracy study.
@@ -218,15 +198,14 @@ inline void assume_single_view(const Execution& execution, bool is_oriented, Con
 }
 
 /// Particles of the data in `input`, whose unit becomes their spacing r, equation (1).
-template <typename ConcurrencyTag>
-void project_particles(Execution& execution, double share, const Input_parameters& parameters,
-                       Consolidated_input& input)
+inline void project_particles(Execution& execution, double share, const Input_parameters& parameters,
+                              Consolidated_input& input)
 {
   Stage stage(execution, "wlop", share);
   const std::size_t count = number_of_particles(parameters, input.data.size());
   const double radius = parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
-  input.points = wlop<ConcurrencyTag>(execution, stage, input.data, count, radius, parameters.iterations,
-                                      parameters.require_uniform_sampling);
+  input.points = wlop(execution, stage, input.data, count, radius, parameters.iterations,
+                      parameters.require_uniform_sampling);
   remove_isolated(execution, input.points);
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
@@ -243,12 +222,11 @@ void project_particles(Execution& execution, double share, const Input_parameter
 }
 
 /// Their normals. Where the scanner is not known, the data get sides as well, and its direction is looked for.
-template <typename ConcurrencyTag>
-void orient_particles(Execution& execution, double share, const Points& hints, const Input_parameters& parameters,
-                      Consolidated_input& input)
+inline void orient_particles(Execution& execution, double share, const Points& hints,
+                             const Input_parameters& parameters, Consolidated_input& input)
 {
   Stage stage(execution, "normals", share);
-  input.normals = jet_normals<ConcurrencyTag>(input.points, parameters.normal_neighbors);
+  input.normals = jet_normals(execution, input.points, parameters.normal_neighbors);
   stage.update(0.5);
   if(!input.directions.empty())
     orient_by_hints(execution, input.points, input.normals, input.data, input.directions.towards_scanner);
@@ -260,9 +238,8 @@ void orient_particles(Execution& execution, double share, const Points& hints, c
 }
 
 /// A scan without outliers. Noise along rays goes before all else; where these were found, particles are made anew.
-template <typename ConcurrencyTag>
-Consolidated_input consolidate_data(Execution& execution, double share, const Raw_scan& scan,
-                                    const Input_parameters& parameters)
+inline Consolidated_input consolidate_data(Execution& execution, double share, const Raw_scan& scan,
+                                           const Input_parameters& parameters)
 {
   const Frame frame = data_frame(execution, scan.points, number_of_particles(parameters, scan.points.size()));
   if(!(frame.unit > 0))
@@ -281,13 +258,13 @@ Consolidated_input consolidate_data(Execution& execution, double share, const Ra
     input.is_denoised = denoise_along_rays(execution, directions, input.data);
   };
   const auto make_particles = [&](double part) {
-    project_particles<ConcurrencyTag>(execution, 0.9 * part, parameters, input);
+    project_particles(execution, 0.9 * part, parameters, input);
     if(!scan.directions.empty()) {
       input.directions = scan.directions;  // not before, for the sake of memory
       for(Vec3& p : input.directions.missed)
         p = input.frame.to_local(p);
     }
-    orient_particles<ConcurrencyTag>(execution, 0.1 * part, scan.hints, parameters, input);
+    orient_particles(execution, 0.1 * part, scan.hints, parameters, input);
   };
   if(!scan.directions.empty()) {
     denoise(scan.directions);
@@ -319,9 +296,8 @@ inline std::vector<std::size_t> outliers_of(const Execution& execution, const Ra
 }
 
 /// Leaves the outliers out.
-template <typename ConcurrencyTag>
-Consolidated_input consolidate_input(Execution& execution, double share, const Raw_scan& scan,
-                                     const Input_parameters& parameters)
+inline Consolidated_input consolidate_input(Execution& execution, double share, const Raw_scan& scan,
+                                            const Input_parameters& parameters)
 {
   std::vector<std::size_t> outliers;
   if(parameters.detect_outliers) {
@@ -329,15 +305,15 @@ Consolidated_input consolidate_input(Execution& execution, double share, const R
     outliers = outliers_of(execution, scan);
   }
   if(outliers.empty())
-    return consolidate_data<ConcurrencyTag>(execution, share, scan, parameters);
+    return consolidate_data(execution, share, scan, parameters);
   std::vector<Index> kept;
   for(std::size_t i = 0, next = 0; i < scan.points.size(); ++i)
     if(next < outliers.size() && outliers[next] == i)
       ++next;
     else
       kept.push_back(Index(i));
-  const Raw_scan data = scan.part(kept);
-  Consolidated_input input = consolidate_data<ConcurrencyTag>(execution, share, data, parameters);
+  const Raw_scan data = part_of(scan, kept);
+  Consolidated_input input = consolidate_data(execution, share, data, parameters);
   input.place.resize(scan.points.size());
   for(std::size_t k = 0; k < kept.size(); ++k)
     input.place[kept[k]] = Index(k);

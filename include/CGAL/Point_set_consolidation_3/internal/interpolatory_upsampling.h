@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INTERPOLATORY_UPSAMPLING_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_INTERPOLATORY_UPSAMPLING_H
 
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/repulsion.h>
 
 namespace CGAL {
@@ -20,16 +21,6 @@ namespace internal {
 ///
 /// Centres are refined in rounds instead of one queue: a round sees all points of the rounds before, its
 /// candidates are found independently and accepted in the order of their centres.
-
-struct Upsampling_parameters {
-  double least_distance = 0.1;   ///< d_min: no point is inserted closer to another
-  double support_radius = 1;     ///< h: rings reach no farther
-  /// Triangles with a larger angle at the centre stay open, in degrees. 135 bridges holes of radius 0.7 h.
-  double largest_gap = 135;
-  /// Share of the tangent planes' projection in the bulge; 1/2 is exact to second order on spheres.
-  double bulge = 0.5;
-  std::size_t most_points = (std::numeric_limits<std::size_t>::max)();  ///< to be inserted
-};
 
 class Interpolatory_upsampling {
   static constexpr double least_tangential_share = 0.3;  ///< of a neighbour's distance

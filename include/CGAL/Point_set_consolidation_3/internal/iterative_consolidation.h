@@ -10,9 +10,18 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/confidence.h>
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/free_space.h>
+#include <CGAL/Point_set_consolidation_3/internal/interpolatory_upsampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
+#include <CGAL/Point_set_consolidation_3/internal/mean_shift.h>
+#include <CGAL/Point_set_consolidation_3/internal/outlier_selection.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/particle_normals.h>
+#include <CGAL/Point_set_consolidation_3/internal/particle_selection.h>
+#include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
+#include <CGAL/Point_set_consolidation_3/internal/repulsion.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -371,26 +380,6 @@ private:
   Placement_guard m_guard;
   std::unique_ptr<Nearest_neighbors> m_region_tree;
 };
-
-/// The method on points in the user's coordinates; lengths of `parameters` and of the result are in the user's
-/// unit as well.
-inline Iterative_result consolidate_iteratively(Execution& execution, const Iterative_input& world,
-                                                Iterative_parameters parameters)
-{
-  constexpr std::size_t sample = 2000;  // enough for the unit, whose exact value does not matter
-  Frame frame = data_frame(execution, world.points, sample);
-  if(!(frame.unit > 0))
-    frame.unit = 1;
-  Iterative_input input = world;
-  for(Vec3& p : input.points)
-    p = frame.to_local(p);
-  parameters.support_radius /= frame.unit;
-  Iterative_result result = Iterative_consolidation(execution, input, parameters).run();
-  for(Vec3& p : result.new_points)
-    p = frame.to_world(p);
-  result.support_radius *= frame.unit;
-  return result;
-}
 
 }  // namespace internal
 }  // namespace Point_set_consolidation_3

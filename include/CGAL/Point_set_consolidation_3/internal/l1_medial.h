@@ -9,9 +9,11 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_H
 
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/recentring.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
@@ -27,20 +29,6 @@ namespace internal {
 /// Huang et al. trace branches and bridge them by rules; here the rings of the samples on the surface are
 /// kept while they move, and thinned to a graph, which has the right topology. Lengths in units of the
 /// diagonal of the points' box.
-
-struct L1_medial_parameters {
-  std::size_t most_points = 2500;    ///< of Z: the ball sums at large h are what costs
-  std::size_t samples = 700;         ///< of M
-  double repulsion = 0.35;           ///< mu
-  double largest_radius = 0.5;       ///< of h: a tube of radius rho contracts at h = 4 to 5 rho only
-  double initial_radius = 0;         ///< h_0; 0: 2 / cbrt(n)
-  double freezing_linearity = 0.9;   ///< of sigma
-  std::size_t inner_iterations = 10; ///< at one h
-  double sampling_radius = 0.02;     ///< of the graph's nodes
-  std::size_t largest_merged_cycle = 6;
-  bool extend_tips = true;
-  std::uint64_t seed = 0;
-};
 
 class L1_medial_skeletonization {
   static constexpr double cutoff = 0.6;            ///< of h: theta is 3e-3 there

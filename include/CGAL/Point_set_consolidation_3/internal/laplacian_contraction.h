@@ -9,6 +9,8 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_LAPLACIAN_CONTRACTION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_weights.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_parameters.h>
 
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
@@ -30,15 +32,6 @@ inline Frame contraction_frame(const Bounding_box& box)
   const double side = box.sides().maxCoeff();
   return {box.centre(), side > 0 ? side / contraction_side : 1};
 }
-
-struct Contraction_parameters {
-  Laplacian_weights weights = Laplacian_weights::COTANGENT;
-  double contraction_weight = 1;  ///< W_L^0 in units of its default 1 / (5 S^0)
-  double attraction_weight = 1;   ///< W_H^0
-  double contraction_factor = 3;  ///< s_L
-  double threshold = 0.01;        ///< t: least decrease of the mean extent in an iteration
-  std::size_t max_iterations = 20;
-};
 
 class Laplacian_contraction {
   static constexpr double default_weight = 0.2;  ///< W_L^0 times the mean extent

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/contraction_samples.h>
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_contraction.h>
 #include <CGAL/Point_set_consolidation_3/internal/recentring.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
 
 #include <memory>
@@ -21,15 +22,6 @@ namespace internal {
 
 /// Laplacian contraction paper, section III: the steps in their order, from the caller's points to the
 /// skeleton in the caller's coordinates.
-
-struct Laplacian_skeleton_parameters {
-  std::size_t neighbors = 0;        ///< of a ring; 0: by `default_ring_neighbors()`
-  std::size_t most_samples = 20000; ///< points to contract
-  Contraction_parameters contraction;
-  double sampling_radius = 0.02;    ///< distance of the graph's nodes, in diagonals of the input's box
-  std::size_t largest_merged_cycle = 6;
-  bool extend_tips = true;
-};
 
 class Laplacian_skeletonization {
 public:

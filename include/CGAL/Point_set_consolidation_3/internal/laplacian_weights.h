@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_LAPLACIAN_WEIGHTS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_LAPLACIAN_WEIGHTS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 

@@ -9,17 +9,13 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MARCHING_TETRAHEDRA_H
 
 #include <CGAL/Point_set_consolidation_3/internal/sparse_lattice.h>
+#include <CGAL/Point_set_consolidation_3/internal/surface_triangles.h>
 
 #include <unordered_map>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
-
-struct Surface_triangles {
-  Points vertices;
-  std::vector<std::array<std::size_t, 3> > triangles;
-};
 
 /// The surface u = 0 of a field on the nodes of a lattice, negative inside: every cell is cut into the six
 /// tetrahedra around its diagonal, the same way in all cells, so that the triangles of neighbours fit. Triangles are

@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MEAN_SHIFT_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MEAN_SHIFT_H
 
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 
@@ -17,12 +18,6 @@ namespace internal {
 
 /// Iterative consolidation paper, section IV-B, algorithm 2: a particle is an outlier if the mean shift
 /// carries it farther than a few spacings of the place where it ends.
-
-struct Mean_shift_parameters {
-  std::size_t neighbors = 20;  ///< k
-  std::size_t iterations = 3;  ///< b
-  double threshold = 3;        ///< s
-};
 
 /// One flag per point. Sets of at most k points have no outliers: every shift ends at their mean.
 inline std::vector<char> mean_shift_outliers(const Execution& execution, const Points& points,

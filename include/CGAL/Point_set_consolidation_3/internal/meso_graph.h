@@ -8,8 +8,11 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_GRAPH_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_GRAPH_H
 
+#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_curves.h>
+#include <CGAL/Point_set_consolidation_3/internal/meso_graph_types.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_labels.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/recentring.h>
 #include <CGAL/Point_set_consolidation_3/internal/sheet_triangles.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_homology.h>
@@ -25,22 +28,6 @@ namespace internal {
 
 /// The meso-skeleton as an object: curves, sheets, and where they meet. Lengths in units of the spacing r of S.
 
-struct Meso_graph_parameters {
-  double sampling_radius = 0.02;            ///< distance of the nodes, in diagonals of the box of S
-  std::size_t largest_merged_cycle = 6;     ///< nodes
-  bool curves_only = false;                 ///< sheets are contracted to curves
-  bool extend_tips = false;                 ///< of curves, to the end of S
-};
-
-struct Meso_graph {
-  Skeleton_graph graph;                     ///< all nodes, and the edges of curves
-  std::vector<Sheet_triangle> triangles;    ///< of sheets, indices of nodes
-  std::vector<Meso_label> node_labels;
-  std::vector<std::size_t> node_of;         ///< per deep point
-  std::vector<Meso_label> labels;           ///< per deep point
-  std::vector<double> radii;                ///< per deep point: distance of its inner point to S
-};
-
 /// Distinct sides of triangles and edges, sorted.
 inline std::vector<Skeleton_edge> all_edges(const std::vector<Skeleton_edge>& edges,
                                             const std::vector<Sheet_triangle>& triangles)
@@ -52,29 +39,6 @@ inline std::vector<Skeleton_edge> all_edges(const std::vector<Skeleton_edge>& ed
     all.insert({t[1], t[2]});
   }
   return std::vector<Skeleton_edge>(all.begin(), all.end());
-}
-
-/// Betti numbers of curves and sheets together.
-struct Meso_topology {
-  std::size_t components = 0, cycles = 0, sheets = 0;
-};
-
-inline Meso_topology topology_of(const Skeleton_graph& graph,
-                                 const std::vector<Sheet_triangle>& triangles)
-{
-  Meso_topology topology;
-  Skeleton_graph all = graph;
-  all.edges = all_edges(graph.edges, triangles);
-  topology.components = number_of_components(all);
-  topology.cycles = Skeleton_homology(all, triangles).number_of_cycles();
-  Skeleton_graph sheets = graph;
-  sheets.edges = all_edges({}, triangles);
-  std::vector<char> is_corner(graph.nodes.size(), 0);
-  for(const Sheet_triangle& t : triangles)
-    for(const std::size_t v : t)
-      is_corner[v] = 1;
-  topology.sheets = number_of_components(subgraph(sheets, is_corner));
-  return topology;
 }
 
 class Meso_graph_builder {

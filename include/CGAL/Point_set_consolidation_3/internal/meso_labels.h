@@ -8,7 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_LABELS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_LABELS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/meso_graph_types.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
@@ -22,15 +24,6 @@ namespace internal {
 ///
 /// The surface normals around an anchor tell: along a sheet they are all parallel to one line, around a curve
 /// they turn in a plane, at an end they point everywhere. That holds for one-sided data as well.
-
-/// The deep points after section 4.2, parallel arrays.
-struct Meso_shape {
-  Points outer;              ///< S
-  Points normals;            ///< of S, smoothed
-  Points anchors;            ///< H
-  Points skeletal;           ///< Q
-  std::vector<char> is_unanchored;
-};
 
 /// Of a ring, the point itself included.
 inline std::size_t link_neighbors(const Meso_shape& shape)

@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_SKELETON_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_SKELETON_H
 
+#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
@@ -20,13 +21,6 @@ namespace internal {
 /// Deep points paper, section 4.2: inner points are drawn to the L1 median of the anchors in an
 /// anisotropic neighbourhood and repelled along it, so that they form curves and sheets.
 /// Lengths in units of the spacing r of S.
-
-struct Meso_skeleton_parameters {
-  double collision_radius = 2;   ///< sigma_q: neighbourhood of the principal component analysis
-  double repulsion = 0.4;        ///< mu
-  double epsilon = 0.1;          ///< bounds semi-axes by 1 / epsilon
-  std::size_t iterations = 10;   ///< movement never vanishes on an over-dense curve: a fixed count
-};
 
 /// Neighbourhood of an inner point: axes as columns, semi-axes in units of r.
 struct Ellipsoid {

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
 #include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/mirror_symmetry.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 
 #include <CGAL/number_type_config.h>
 

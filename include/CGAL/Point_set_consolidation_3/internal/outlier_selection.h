@@ -8,8 +8,10 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 
@@ -19,26 +21,6 @@ namespace internal {
 
 /// Iterative consolidation paper, section IV-B, end: which data points are outliers. The paper's rule, the distance
 /// from the up-sampled surface, finds far ones; for those closer than h the data's own surface is the reference.
-
-struct Outlier_parameters {
-  double support_radius = 1;        ///< h
-  /// Data farther from the up-sampled surface are outliers, in units of h. Printed: 1, which keeps clusters.
-  double far_distance = 0.35;
-  /// h is larger than usual noise, so the printed rule alone finds none of it. Outliers are as well data off the
-  /// quadrics that the data around themselves and around their feet on the particles' surface follow by more
-  /// than `near_distance` h and `near_factor` times the median residual, if they are sparser than the data
-  /// around: points of sharp details are off these quadrics, but no sparser.
-  bool removes_near = true;
-  double near_distance = 0.073;
-  double near_factor = 2.5;
-  double near_sparsity = 1.35;      ///< distance of the neighbours by the median of that around
-  /// Of points that are farther off than `clear_distance` h, which few details are.
-  double clear_sparsity = 1.2;
-  double clear_distance = 0.13;
-  /// Flagged points closer than h are kept if they are a smaller share of the data: a clean scan has about
-  /// 0.2 % of points in crevices and on tips that the particles do not resolve.
-  double least_share = 0.005;
-};
 
 /// Heights over a tangent plane as a quadric of the plane's coordinates, fitted to neighbours of which many may
 /// be outliers: iteratively reweighted least squares with Cauchy weights. The particles' surface, which is coarser

@@ -8,7 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PARTICLE_SELECTION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PARTICLE_SELECTION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
 namespace CGAL {
@@ -49,11 +51,6 @@ inline std::vector<std::size_t> select_new_points(const Execution& execution,
       selected.push_back(i);
   return selected;
 }
-
-struct Peel_parameters {
-  double radius = 0.5;          ///< of the neighbourhood that must surround a point
-  double largest_gap = 150;     ///< degrees
-};
 
 /// Added points at an open border are taken back, one layer after the other: a sheet that closed no hole
 /// disappears, one that did has no border. Points before `first_added` stay. Returns a flag per point.

@@ -10,7 +10,9 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
 #include <CGAL/number_type_config.h>
@@ -22,33 +24,6 @@ namespace internal {
 /// Where a completed point may lie; not in the paper. The extension of a surface over its border is a guess
 /// that holds for smooth holes; at thin and occluded parts it grows sheets that the shape does not have.
 /// Lengths in units of h.
-
-struct Guard_parameters {
-  bool enabled = true;
-  /// A ray of the scanner passed there. The tolerance covers the silhouettes' sampling.
-  double free_space_tolerance = 0.25;
-  /// Points nearer than this to a sheet that faces the other way lie in a thin part or in a gap.
-  double opposite_distance = 0.5;
-  /// Sine of the largest elevation over the tangent plane of the nearest data: more than 45 degrees, what
-  /// the pole of a missing hemisphere has, is no continuation of its rim.
-  double largest_elevation = 0.75;
-  /// A region of completed points is taken back as a whole if the data do not close around it: if, seen from its
-  /// middle, no data within `rim` distances of the nearest lie in an angle as wide as this, in radians. Holes are
-  /// closed all around; creases between parts that occluded each other, and borders of views, are open or long. ...
-  double largest_opening = 1.6;
-  double rim = 1.3;
-  /// ... or if the rim's normals cancel (length of their mean): around a strip of a tube there is no such plane; ...
-  double least_rim_flatness = 0.25;
-  /// ... or if its normals differ more from the data's along its rim (mean cosine): it bends off instead of
-  /// going on; ...
-  double least_rim_cosine = 0.85;
-  /// ... or if it reaches no farther from the data: Poisson reconstruction closes such holes as well.
-  double least_reach = 0.45;
-  /// Share of all added points that must pass, else all are taken back: where most extensions fail, gaps are
-  /// occlusions rather than holes, and the regions that pass are not better founded. (Holes cut into models: 0.56
-  /// and more; scans from one to three sides: up to 0.3.)
-  double least_accepted_share = 0.5;
-};
 
 class Placement_guard {
 public:

@@ -79,6 +79,18 @@ struct Frame {
 
   Vec3 to_local(const Vec3& world) const { return (world - origin) / unit; }
   Vec3 to_world(const Vec3& local) const { return origin + unit * local; }
+  Points to_local(Points points) const
+  {
+    for(Vec3& p : points)
+      p = to_local(p);
+    return points;
+  }
+  Points to_world(Points points) const
+  {
+    for(Vec3& p : points)
+      p = to_world(p);
+    return points;
+  }
 };
 
 inline double median(std::vector<double> values)

@@ -10,7 +10,6 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
-#include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 #include <CGAL/Point_set_consolidation_3/parameters.h>
 

@@ -9,6 +9,8 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_REPULSION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
@@ -18,30 +20,6 @@ namespace internal {
 
 /// Iterative consolidation paper, section IV-C: particles repel each other along the algebraic surface
 /// that they define, and so extend it over its border into missing regions.
-
-struct Repulsion_parameters {
-  double support_radius = 1;         ///< h, of the surface and of the repulsion
-  double repulsion = 0.45;           ///< mu
-  /// Steps per call. One step, as printed, advances a border by 0.06 h and leaves large holes open.
-  std::size_t steps = 10;
-  std::size_t projections = 1;       ///< per step; the paper makes three, with equal results
-  /// Arc length by |l'|. Printed: 1 / (2 pi), but an arc of length l on a circle of radius R is the angle l / R.
-  double arc_factor = 1;
-  /// Residual of the normals from which a particle stays: the surface of a fold or of a thin part is not a
-  /// sphere, and its extension would fly off. Replaces the static region that the paper's user draws.
-  double largest_normal_residual = 0.4;
-  double largest_step = (std::numeric_limits<double>::max)();  ///< L_avg in equation (5)
-
-  static Repulsion_parameters printed()
-  {
-    Repulsion_parameters p;
-    p.steps = 1;
-    p.projections = 3;
-    p.arc_factor = 0.15915494309189535;  // 1 / (2 pi)
-    p.largest_normal_residual = (std::numeric_limits<double>::max)();
-    return p;
-  }
-};
 
 /// Whether a particle may move to a place; a policy for what is known about empty space.
 using Placement_test = std::function<bool(const Vec3& position, const Vec3& normal)>;

@@ -8,8 +8,9 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SCAN_DIRECTIONS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SCAN_DIRECTIONS_H
 
+#include <CGAL/Point_set_consolidation_3/core/views.h>
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
-#include <CGAL/Point_set_consolidation_3/internal/views.h>
+#include <CGAL/Point_set_consolidation_3/internal/raw_scan.h>
 
 #include <utility>
 
@@ -19,29 +20,6 @@ namespace internal {
 
 /// What the caller knows of the scanner, from the named parameters `view_direction_map`, `view_index_map`
 /// and `scanner_positions`.
-
-/// Groups parallel rays into views. Empty if they are not a few orthographic views.
-inline std::vector<std::size_t> group_views(const Points& points, const Points& towards_scanner)
-{
-  if(Projection::fit(points, towards_scanner).has_rays(points, towards_scanner))
-    return std::vector<std::size_t>(points.size(), 0);
-  constexpr std::size_t most_views = 64;
-  constexpr double least_cosine = 0.99985;  // one degree
-  std::vector<Vec3> views;
-  std::vector<std::size_t> view(points.size());
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    std::size_t v = 0;
-    while(v < views.size() && views[v].dot(towards_scanner[i]) < least_cosine)
-      ++v;
-    if(v == views.size()) {
-      if(views.size() == most_views)
-        return std::vector<std::size_t>();
-      views.push_back(towards_scanner[i]);
-    }
-    view[i] = v;
-  }
-  return view;
-}
 
 template <typename PointRange, typename NP>
 std::vector<std::size_t> copy_view_indices(const char* function, const PointRange& range,

@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SEGMENTATION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SEGMENTATION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_segmentation.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
@@ -17,13 +18,6 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 /// Feature-enhanced surfaces paper, section IV.A: a label for every point, by one of three methods.
-
-struct Segmentation_settings {
-  Segmentation_method method = Segmentation_method::SKELETON;
-  double radius = 0;        ///< h, in the caller's unit; 0: default
-  double prominence = 0.1;
-  Skeleton_segmentation_parameters skeleton;
-};
 
 inline Segmentation segment_points(Execution& execution, double share, const Points& world,
                                    const Points& normals, const Segmentation_settings& settings)

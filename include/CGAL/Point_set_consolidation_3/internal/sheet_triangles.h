@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SHEET_TRIANGLES_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SHEET_TRIANGLES_H
 
+#include <CGAL/Point_set_consolidation_3/internal/meso_graph_types.h>
 #include <CGAL/Point_set_consolidation_3/internal/spanning_disc.h>
 #include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
 
@@ -17,8 +18,6 @@
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
-
-using Sheet_triangle = std::array<std::size_t, 3>;  ///< corners in increasing order
 
 /// Triangles between points that sample sheets, which may have borders and may meet along curves.
 ///

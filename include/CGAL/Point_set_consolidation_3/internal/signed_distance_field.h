@@ -11,7 +11,9 @@
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/field_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_parameters.h>
 
 #include <stdexcept>
 #include <unordered_map>
@@ -26,18 +28,6 @@ namespace internal {
 /// The domain is a lattice, or an octree of lattices: a coarse one fills the box, each finer one covers what is
 /// near points, skeleton and the surface of the level before, whose field gives the guess, and the values at its
 /// border. So only cells near the surface are small.
-
-struct Field_parameters {
-  double smoothness_weight = 1;   ///< omega_1
-  double surface_weight = 50;     ///< omega_2; the paper's 5 is too smooth for data of usual density
-  double normal_weight = 0;       ///< of the points' normals, if there are any; not in the paper
-  double skeleton_weight = 0.5;   ///< omega_3
-  double outside_weight = 0.005;  ///< omega_4
-  double outside_factor = 4;      ///< K: outside is farther from the skeleton than K radii
-  std::size_t resolution = 64;    ///< cells along the longest side of the data's box
-  bool adaptive = true;
-  double removed_handles = 0;     ///< depth in cells up to which handles that the skeleton does not have are removed
-};
 
 struct Distance_field {
   Frame frame;  ///< local coordinates are those of the lattice

@@ -9,9 +9,11 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SINKING_H
 
 #include <CGAL/Point_set_consolidation_3/internal/bilateral_weights.h>
+#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/neighbor_lists.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
 namespace CGAL {
@@ -22,14 +24,6 @@ namespace internal {
 /// negative normals until opposing fronts meet.
 /// In: points and unit normals, lengths in units of the spacing r of S. Out: one anchor point per point.
 /// Every step reads the previous state and writes a new one, so the order of points does not matter.
-
-struct Sinking_parameters {
-  double smoothing_radius = 5;                    ///< sigma_p: static neighbourhoods on the surface
-  double collision_radius = 2;                    ///< sigma_q: dynamic neighbourhoods of inner points
-  double collision_angle = 0.78539816339744831;   ///< omega, radians
-  bool closing_step = true;                       ///< go on to where colliding fronts would touch
-  std::size_t max_iterations = 200;
-};
 
 using Point_set_consolidation_3::Anchoring;
 

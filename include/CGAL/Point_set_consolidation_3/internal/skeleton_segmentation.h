@@ -10,6 +10,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_SEGMENTATION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/density_peaks.h>
+#include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -22,12 +23,6 @@ namespace internal {
 /// Chains between joints are cut where the radius changes. A piece goes on beyond a joint if only thinner ones branch
 /// off there. Joints go to the incident piece of largest radius, with the nodes of thinner ones inside the
 /// joint's ball.
-
-struct Skeleton_segmentation_parameters {
-  double penalty = 0.4;           ///< lambda: price of a cut, against squared deviations of log radius
-  double least_share = 0.02;      ///< of the points: smaller segments are merged
-  std::size_t count = 0;          ///< 0: as many as there are; else the most similar are merged
-};
 
 class Skeleton_segmentation {
   /// Ratio of radii from which on two pieces are equally thick, and up to which one branches off the other.

@@ -9,10 +9,12 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SURFACE_CONSOLIDATION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/bilateral_weights.h>
+#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
@@ -24,16 +26,6 @@ namespace internal {
 /// Deep points paper, section 4.3: outer points start on S, spread into the missing regions and take
 /// their distance from the meso-skeleton there from their neighbours' deep points.
 /// Lengths in units of the spacing r of S.
-
-struct Surface_parameters {
-  double smoothing_radius = 5;   ///< sigma_p
-  double repulsion = 0.4;        ///< mu hat
-  Data_term data_term = Data_term::FULL;
-  Prior prior = Prior::VOLUME_PRESERVING;
-  double shrinkage = 0.1;        ///< of the minimal volume prior, per iteration
-  std::size_t iterations = 90;   ///< until the fronts of half a tube of 60 r around have met
-  double completed_spacing = 1;  ///< to which completed regions are filled; 0: not at all
-};
 
 struct Consolidated_surface {
   Points points;                       ///< P

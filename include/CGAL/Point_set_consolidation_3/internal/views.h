@@ -11,34 +11,11 @@
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
+#include <CGAL/Point_set_consolidation_3/internal/raw_scan.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
-
-/// The rays of a scan: a unit direction towards the scanner per point and the view it belongs to.
-/// Empty when the caller does not know them.
-struct Scan_directions {
-  Points towards_scanner;
-  std::vector<std::size_t> view;   ///< in [0, number of views)
-  Points missed;                   ///< a point on each ray that met nothing; empty: not known
-  std::vector<std::size_t> missed_view;
-  bool is_estimated = false;       ///< from the points; the caller knows none
-
-  bool empty() const { return towards_scanner.empty(); }
-  std::size_t number_of_views() const
-  {
-    return view.empty() ? 0 : *std::max_element(view.begin(), view.end()) + 1;
-  }
-  /// Indices of the points of each view.
-  std::vector<std::vector<std::size_t> > by_view() const
-  {
-    std::vector<std::vector<std::size_t> > points(number_of_views());
-    for(std::size_t i = 0; i < view.size(); ++i)
-      points[view[i]].push_back(i);
-    return points;
-  }
-};
 
 /// Maps space onto the image of one scanner position. Lengths in the image are those at the object.
 class Projection {

@@ -9,6 +9,8 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_WLOP_PROJECTION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
+#include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
@@ -20,13 +22,6 @@ namespace internal {
 /// with its true L1 data term. Particles are drawn to the L1 median of the data around them and
 /// spread by a repulsion among themselves; some may be static: they act, but do not move.
 /// Every step reads the previous positions and writes new ones.
-
-struct Wlop_parameters {
-  double support_radius = 1;         ///< h
-  double repulsion = 0.45;           ///< mu, in [0, 0.5)
-  std::size_t iterations = 30;       ///< accuracy is best at 20 to 30
-  double least_move = 0.003;         ///< mean move per iteration, in units of h, at which it stops
-};
 
 /// theta(r) = exp(-16 r^2 / h^2), taken as zero beyond h / 2, where it is e^-4: beyond, four times the
 /// neighbours change nothing on even data and worsen uneven data.
