@@ -72,8 +72,16 @@ public:
             typename NamedParameters = parameters::Default_named_parameters>
   explicit Deep_points_consolidation_3(const PointRange& points,
                                        const NamedParameters& np = parameters::default_values())
-    : m_core(read(points, Point_set_consolidation_3::internal::cgal_np(np)))
+    : Deep_points_consolidation_3(points, np, "Deep_points_consolidation_3")
   {}
+
+  /// \cond SKIP_IN_MANUAL
+  /// `function` is named in error messages.
+  template <typename PointRange, typename NamedParameters>
+  Deep_points_consolidation_3(const PointRange& points, const NamedParameters& np, const char* function)
+    : m_core(read(function, points, Point_set_consolidation_3::internal::cgal_np(np)))
+  {}
+  /// \endcond
 
   /// \name Stages
   /// Each returns `false` if the callback stopped it; the object is then as before the call.
@@ -160,13 +168,11 @@ public:
 private:
   /// \cond SKIP_IN_MANUAL
   template <typename PointRange, typename NP>
-  static Core read(const PointRange& points, const NP& np)
+  static Core read(const char* function, const PointRange& points, const NP& np)
   {
     using namespace Point_set_consolidation_3;
     using namespace Point_set_consolidation_3::internal;
     namespace names = Point_set_consolidation_3::internal_np;
-    const char* const function = "deep_points_consolidate_point_set";
-
     constexpr std::size_t least_points = 10;
     Raw_scan scan;
     scan.points = copy_points(function, points, np, least_points);
@@ -180,6 +186,7 @@ private:
         gaps.priors.push_back(get(map, *it));
     }
     Deep_points_settings settings;
+    settings.function = function;
     settings.input = read_input_parameters(function, np, scan.points.size());
     settings.sinking = read_sinking_parameters(function, np);
     settings.skeleton = read_skeleton_parameters(function, np);

@@ -97,19 +97,12 @@ bool optimize_normals_across_edges(PointRange& points, const NamedParameters& na
           "sharpness_angle must be in (0, 90)");
   const bool moves = parameter_or(np, tags::enhance_features, false);
 
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Oriented_points result;
-  try {
+  const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
     result = separate_at_edges(execution, world, normals, parameters);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return false;
-  }
-  catch(const std::invalid_argument& error) {
-    throw_invalid(function, error.what());
-  }
-  report_stage_times(np, execution.times);
   put_points(points, np, moves ? result.points : world, result.normals);
   return true;
 }
@@ -240,23 +233,13 @@ OutputIterator anisotropic_edge_aware_upsample_point_set(
   require(parameters.plane_width >= 0 && std::isfinite(parameters.plane_width), function,
           "plane_width must not be negative");
 
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Oriented_points result;
-  try {
+  const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
     result = upsample_edge_aware(execution, world, normals, parameters);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return output;
-  }
-  catch(const std::invalid_argument& error) {
-    throw_invalid(function, error.what());
-  }
-  report_stage_times(np, execution.times);
-  for(std::size_t i = 0; i < result.points.size(); ++i)
-    *output++ = std::make_pair(to_point<Traits>(result.points[i]),
-                               to_vector<Traits>(result.normals[i]));
-  return output;
+  return write_oriented<Traits>(result.points, result.normals, output);
 }
 
 }  // namespace CGAL

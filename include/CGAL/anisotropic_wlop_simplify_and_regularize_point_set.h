@@ -174,23 +174,13 @@ OutputIterator anisotropic_wlop_simplify_and_regularize_point_set(
   require(wlop.sharpness_angle > 0 && wlop.sharpness_angle < 90, function,
           "sharpness_angle must be in (0, 90)");
 
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Oriented_points result;
-  try {
+  const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
     result = simplify_anisotropically(execution, world, normals, settings);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return output;
-  }
-  catch(const std::invalid_argument& error) {
-    throw_invalid(function, error.what());
-  }
-  report_stage_times(np, execution.times);
-  for(std::size_t i = 0; i < result.points.size(); ++i)
-    *output++ = std::make_pair(to_point<Traits>(result.points[i]),
-                               to_vector<Traits>(result.normals[i]));
-  return output;
+  return write_oriented<Traits>(result.points, result.normals, output);
 }
 
 }  // namespace CGAL

@@ -98,14 +98,11 @@ std::size_t apss_project_point_set(PointRange& points,
     not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
 
   Moved_points result;
-  try {
-    Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
+  const bool is_complete = run_core<ConcurrencyTag>(function, pack, [&](Execution& execution) {
     result = project_to_algebraic_surface(execution, input, normals, is_constrained, radius, iterations);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return 0;
-  }
   put_points(points, pack, result.points, result.normals);
   return result.number;
 }

@@ -103,14 +103,11 @@ double bilateral_project_point_set(PointRange& points,
     return 0;
 
   Moved_points result;
-  try {
-    Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
+  const bool is_complete = run_core<ConcurrencyTag>(function, pack, [&](Execution& execution) {
     result = project_bilaterally_in_place(execution, input, normals, is_constrained, parameters);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return 0;
-  }
   if(!result.points.empty())
     put_points(points, pack, result.points, result.normals);
   return result.distance;

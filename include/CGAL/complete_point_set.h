@@ -111,7 +111,8 @@ complete_point_set(const PointRange& points, OutputIterator output,
   const auto& np = cgal_np(named_parameters);
   typedef Cgal_np<NamedParameters> NP;
   typedef typename Np_helper<PointRange, NP>::Geom_traits Traits;
-  Deep_points_consolidation_3<Traits, ConcurrencyTag> consolidation(points, named_parameters);
+  Deep_points_consolidation_3<Traits, ConcurrencyTag> consolidation(points, named_parameters,
+                                                                  "complete_point_set");
   const bool is_complete = consolidation.complete_missing_parts();
   report_stage_times(np, consolidation.stage_times());
   if(!is_complete)

@@ -225,7 +225,7 @@ deep_points_consolidate_point_set(const PointRange& points, OutputIterator outpu
 {
   typedef Point_set_consolidation_3::internal::Cgal_np<NamedParameters> NP;
   typedef typename Point_set_consolidation_3::internal::Np_helper<PointRange, NP>::Geom_traits Traits;
-  Deep_points_consolidation_3<Traits, ConcurrencyTag> consolidation(points, np);
+  Deep_points_consolidation_3<Traits, ConcurrencyTag> consolidation(points, np, "deep_points_consolidate_point_set");
   const bool is_complete = consolidation.consolidate_outer_points();
   Point_set_consolidation_3::internal::report_stage_times(
     Point_set_consolidation_3::internal::cgal_np(np), consolidation.stage_times());

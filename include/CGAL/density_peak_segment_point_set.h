@@ -128,16 +128,12 @@ std::size_t density_peak_segment_point_set(
   require(settings.skeleton.count <= world.size(), function,
           "number_of_segments must be at most the number of points");
 
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Segmentation segmentation;
-  try {
+  const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
     segmentation = segment(execution, world, normals, settings);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return 0;
-  }
-  report_stage_times(np, execution.times);
   for_each_indexed(points, [&](auto&& key, std::size_t i) {
     put(label_map, key, Label(segmentation.labels[i]));
   });

@@ -162,16 +162,12 @@ bool extract_l1_medial_skeleton(const PointRange& points, Curve_skeleton_3<Kerne
     });
   }
 
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Skeleton_graph graph;
-  try {
+  const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
     graph = extract_l1_skeleton(execution, world, labels, segments, parameters);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return false;
-  }
-  report_stage_times(np, execution.times);
   assign<Kernel>(skeleton, graph);
   return true;
 }

@@ -185,19 +185,12 @@ bool feature_enhanced_surface_reconstruction(
     require(node.position.allFinite() && std::isfinite(node.radius) && node.radius >= 0, function,
             "a vertex of the skeleton is not finite or has a negative radius");
 
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
   Feature_enhanced_result result;
-  try {
+  const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
     result = reconstruct_with_features(execution, world, normals, given, settings);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return false;
-  }
-  catch(const std::invalid_argument& error) {
-    throw_invalid(function, error.what());
-  }
-  report_stage_times(np, execution.times);
   if(result.surface.triangles.empty())
     throw std::runtime_error(std::string(function) + "(): no surface at this resolution");
 
@@ -257,16 +250,12 @@ OutputIterator complete_point_set_along_skeleton(
   if(!normals.empty())
     normals = copy_unit_normals(function, points, np);
   Oriented_points completed;
-  try {
-    completed = complete_along(make_execution<ConcurrencyTag>(), world, normals, graph, trusts_all);
-  }
-  catch(const std::invalid_argument& error) {
-    throw_invalid(function, error.what());
-  }
-  for(std::size_t i = 0; i < completed.points.size(); ++i)
-    *output++ = std::make_pair(to_point<Kernel>(completed.points[i]),
-                               to_vector<Kernel>(completed.normals[i]));
-  return output;
+  const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
+    completed = complete_along(execution, world, normals, graph, trusts_all);
+  });
+  if(!is_complete)
+    return output;
+  return write_oriented<Kernel>(completed.points, completed.normals, output);
 }
 
 }  // namespace CGAL

@@ -112,18 +112,12 @@ interpolatory_upsample_point_set(const PointRange& points, OutputIterator output
     return output;
 
   Moved_points inserted;
-  try {
-    Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
+  const bool is_complete = run_core<ConcurrencyTag>(function, pack, [&](Execution& execution) {
     inserted = upsample_by_interpolation(execution, positions, normals, is_constrained, parameters);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return output;
-  }
-  for(std::size_t i = 0; i < inserted.points.size(); ++i)
-    *output++ =
-      std::make_pair(to_point<Traits>(inserted.points[i]), to_vector<Traits>(inserted.normals[i]));
-  return output;
+  return write_oriented<Traits>(inserted.points, inserted.normals, output);
 }
 
 }  // namespace CGAL

@@ -278,15 +278,11 @@ iterative_consolidate_point_set(const PointRange& points, OutputIterator output,
   parameters.seed = parameter_or(pack, CGAL::internal_np::random_seed, 0u);
 
   Iterative_result result;
-  try {
-    Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
+  const bool is_complete = run_core<ConcurrencyTag>(function, pack, [&](Execution& execution) {
     result = consolidate_iteratively(execution, input, parameters);
-    execution.progress.finish();
-    report_stage_times(pack, execution.times);
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return output;
-  }
 
   auto point_map = Np_helper<PointRange, NP>::get_const_point_map(points, pack);
   std::vector<std::size_t> outliers;
@@ -297,9 +293,7 @@ iterative_consolidate_point_set(const PointRange& points, OutputIterator output,
       *output++ = std::make_pair(typename Traits::Point_3(get(point_map, key)),
                                  to_vector<Traits>(result.normals[i]));
   });
-  for(std::size_t i = 0; i < result.new_points.size(); ++i)
-    *output++ = std::make_pair(to_point<Traits>(result.new_points[i]),
-                               to_vector<Traits>(result.new_normals[i]));
+  output = write_oriented<Traits>(result.new_points, result.new_normals, output);
 
   const std::size_t kept = input.points.size() - outliers.size();
   std::vector<char> is_new(kept, 0);

@@ -95,14 +95,11 @@ mean_shift_remove_outliers(const PointRange& points, OutputIterator output,
   parameters.threshold = positive(function, pack, names::shift_threshold, "shift_threshold", 3);
 
   std::vector<char> is_outlier;
-  try {
-    Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
+  const bool is_complete = run_core<ConcurrencyTag>(function, pack, [&](Execution& execution) {
     is_outlier = find_mean_shift_outliers(execution, input, parameters);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return output;
-  }
   std::vector<std::size_t> outliers;
   for_each_indexed(points, [&](auto&& element, std::size_t i) {
     if(is_outlier[i])

@@ -127,14 +127,11 @@ double repulse_along_apss(PointRange& points,
     return 0;
 
   Moved_points result;
-  try {
-    Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
+  const bool is_complete = run_core<ConcurrencyTag>(function, pack, [&](Execution& execution) {
     result = repulse_along_algebraic_surface(execution, particles, normals, is_constrained, parameters);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return 0;
-  }
   if(!result.points.empty())
     put_points(points, pack, result.points, result.normals);
   return result.distance;

@@ -154,16 +154,12 @@ bool skeleton_driven_surface_reconstruction(
 
   require(bounding_box(positions).sides().maxCoeff() > 0, f, "all points are equal");
 
-  Execution execution = make_execution<ConcurrencyTag>(callback_of(cgal));
   Surface_triangles surface;
-  try {
+  const bool is_complete = run_core<ConcurrencyTag>(f, cgal, [&](Execution& execution) {
     surface = reconstruct_around_skeleton(execution, positions, graph, p);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return false;
-  }
-  report_stage_times(cgal, execution.times);
   if(surface.triangles.empty())
     throw std::runtime_error(std::string(f) + "(): no surface: the skeleton's radii are too small for "
                              "the resolution, or data contradict them");

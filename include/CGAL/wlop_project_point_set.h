@@ -142,14 +142,11 @@ wlop_project_point_set(const PointRange& points, OutputIterator output,
     not_negative(function, pack, CGAL::internal_np::neighbor_radius, "neighbor_radius", 0);
 
   Points particles;
-  try {
-    Execution execution = make_execution<ConcurrencyTag>(callback_of(pack));
+  const bool is_complete = run_core<ConcurrencyTag>(function, pack, [&](Execution& execution) {
     particles = project_by_wlop(execution, data, sample, statics, settings);
-    execution.progress.finish();
-  }
-  catch(const Cancelled&) {
+  });
+  if(!is_complete)
     return output;
-  }
   for(const Vec3& p : particles)
     *output++ = to_point<Traits>(p);
   return output;

@@ -70,7 +70,7 @@ std::string fault(const Function& function, const std::invalid_argument& error, 
 {
   const std::string message = error.what();
   const std::string class_of_function =
-    contains(function.name, "laplacian") ? "Laplacian_contraction" : "deep_points_consolidate_point_set";
+    contains(function.name, "laplacian") ? "Laplacian_contraction" : "Deep_points_consolidation_3";
   if(!contains(message, std::string(function.name).substr(0, 12)) && !contains(message, class_of_function))
     return "the message does not name the function";
   if(contains(message, "\n"))

@@ -20,6 +20,7 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 struct Deep_points_settings {
+  const char* function = "";  ///< named in error messages; a literal
   Input_parameters input;
   Sinking_parameters sinking;
   Meso_skeleton_parameters skeleton;
@@ -37,7 +38,8 @@ struct Completed_place {
 };
 
 /// The stages of the deep points paper and of the completion. A stage runs those before it; it returns false if the
-/// callback stopped it, and the object is as before. Results are in the caller's coordinates.
+/// callback stopped it, and the object is as before. Input that cannot be consolidated is `std::invalid_argument`.
+/// Results are in the caller's coordinates.
 class Deep_points {
 public:
   Deep_points(Execution execution, Raw_scan scan, const Deep_points_settings& settings);

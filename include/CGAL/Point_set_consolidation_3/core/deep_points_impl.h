@@ -19,6 +19,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -52,6 +54,9 @@ struct Deep_points::State {
     }
     catch(const Cancelled&) {
       return false;
+    }
+    catch(const Unusable_input& error) {
+      throw std::invalid_argument(std::string(settings.function) + "(): " + error.what());
     }
     stage = next;
     return true;

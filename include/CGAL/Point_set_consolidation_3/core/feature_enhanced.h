@@ -17,7 +17,7 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 /// The feature-enhanced surfaces paper, on points in the caller's coordinates. Normals are unit vectors; none: they are
-/// estimated. Throws `std::invalid_argument`, without the function's name, if most points coincide.
+/// estimated. Throws `Unusable_input` if most points coincide.
 
 /// Normals that belong to one side of an edge, and points that are denoised accordingly. Section III.B and VI.
 Oriented_points separate_at_edges(Execution& execution, const Points& points, const Points& normals,

@@ -78,8 +78,7 @@ inline std::vector<double> representativeness(const Execution& execution, const 
 /// Points from the densest to the least dense, ties by index.
 inline std::vector<Index> by_falling_density(const std::vector<double>& density)
 {
-  std::vector<Index> order(density.size());
-  std::iota(order.begin(), order.end(), Index(0));
+  std::vector<Index> order = all_indices(density.size());
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
     return density[a] != density[b] ? density[a] > density[b] : a < b;
   });
@@ -200,8 +199,7 @@ inline Segmentation density_peak_segments(const Execution& execution, const Poin
     value[r] = std::log(density[order[r]]) + std::log((std::max)(delta, tiny_length));
   });
 
-  std::vector<std::size_t> candidates(n);
-  std::iota(candidates.begin(), candidates.end(), std::size_t(0));
+  std::vector<std::size_t> candidates = all_indices<std::size_t>(n);
   std::sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
     return value[a] != value[b] ? value[a] > value[b] : a < b;
   });

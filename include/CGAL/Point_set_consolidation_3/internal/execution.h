@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -28,6 +29,11 @@ namespace internal {
 /// Thrown on the calling thread when the user's callback asked to stop; public functions catch it
 /// and leave their output untouched.
 struct Cancelled {};
+
+/// Input that a method cannot work with. The public function adds its name to the message.
+struct Unusable_input : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
 
 using Point_set_consolidation_3::Stage_time;
 using Stage_times = std::vector<Stage_time>;

@@ -14,8 +14,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 
-#include <stdexcept>
-
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -26,7 +24,7 @@ namespace internal {
 inline void require_spacing(const Frame& frame)
 {
   if(!(frame.unit > 0))
-    throw std::invalid_argument("more than half of the points coincide: no spacing to work with");
+    throw Unusable_input("more than half of the points coincide: no spacing to work with");
 }
 
 /// Section III.A. `normals` may be empty.

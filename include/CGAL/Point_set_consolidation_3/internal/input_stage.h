@@ -23,13 +23,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/jet_estimate_normals.h>
 #include <CGAL/pca_estimate_normals.h>
-#include <CGAL/property_map.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
 
 #include <functional>
 #include <iterator>
-#include <stdexcept>
-#include <tuple>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -52,6 +49,20 @@ struct Indexed_point_map {
   {
     const Vec3& p = (*map.points)[i];
     return value_type(p.x(), p.y(), p.z());
+  }
+};
+
+/// Normals by the same indices, to write.
+struct Indexed_normal_map {
+  typedef Index key_type;
+  typedef Core_kernel::Vector_3 value_type;
+  typedef value_type reference;
+  typedef boost::writable_property_map_tag category;
+  Points* normals;
+
+  friend void put(const Indexed_normal_map& map, Index i, const value_type& n)
+  {
+    (*map.normals)[i] = Vec3(n.x(), n.y(), n.z());
   }
 };
 
@@ -111,37 +122,27 @@ inline Points wlop(Execution& execution, Stage& stage, const Points& data, std::
   return points;
 }
 
-typedef std::tuple<Core_kernel::Point_3, Core_kernel::Vector_3, std::size_t> Oriented_tuple;
-typedef CGAL::Nth_of_tuple_property_map<0, Oriented_tuple> Tuple_point_map;
-typedef CGAL::Nth_of_tuple_property_map<1, Oriented_tuple> Tuple_normal_map;
-
 /// Unoriented normals by CGAL's jet fitting; +z where the fit fails.
 inline Points jet_normals(const Execution& execution, const Points& points, unsigned int neighbors)
 {
-  std::vector<Oriented_tuple> tuples(points.size());
-  for(std::size_t i = 0; i < points.size(); ++i)
-    tuples[i] = Oriented_tuple(Core_kernel::Point_3(points[i].x(), points[i].y(), points[i].z()),
-                               Core_kernel::Vector_3(0, 0, 1), i);
   Points normals(points.size(), Vec3::UnitZ());
   if(points.size() < 3)
     return normals;
   // a jet of degree 2 needs six points; small sets get a plane
   constexpr std::size_t jet_points = 6;
   neighbors = (unsigned int)((std::min)(std::size_t(neighbors), points.size() - 1));
-  const auto np = CGAL::parameters::point_map(Tuple_point_map()).normal_map(Tuple_normal_map());
+  std::vector<Index> indices = all_indices(points.size());
+  const auto np =
+    CGAL::parameters::point_map(Indexed_point_map{&points}).normal_map(Indexed_normal_map{&normals});
   with_concurrency_tag(execution, [&](auto tag) {
     typedef decltype(tag) Tag;
     if(neighbors + 1 >= jet_points)
-      CGAL::jet_estimate_normals<Tag>(tuples, neighbors, np);
+      CGAL::jet_estimate_normals<Tag>(indices, neighbors, np);
     else
-      CGAL::pca_estimate_normals<Tag>(tuples, (std::max)(2u, neighbors), np);
+      CGAL::pca_estimate_normals<Tag>(indices, (std::max)(2u, neighbors), np);
   });
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    const Core_kernel::Vector_3& n = std::get<1>(tuples[i]);
-    const Vec3 v(n.x(), n.y(), n.z());
-    if(v.allFinite())
-      normals[i] = normalized_or(v, Vec3::UnitZ());
-  }
+  for(Vec3& n : normals)
+    n = n.allFinite() ? normalized_or(n, Vec3::UnitZ()) : Vec3(Vec3::UnitZ());
   return normals;
 }
 
@@ -210,11 +211,9 @@ inline void project_particles(Execution& execution, double share, const Input_pa
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
   if(!(r > 0))
-    throw std::invalid_argument(parameters.neighbor_radius > 0
-                                  ? "deep_points_consolidate_point_set(): neighbor_radius is far too large: WLOP "
-                                    "draws all points together"
-                                  : "deep_points_consolidate_point_set(): the consolidated points coincide: no "
-                                    "spacing to work with");
+    throw Unusable_input(parameters.neighbor_radius > 0
+                                  ? "neighbor_radius is far too large: WLOP draws all points together"
+                                  : "the consolidated points coincide: no spacing to work with");
   input.frame.unit *= r;
   for(Points* points : {&input.points, &input.data})
     for(Vec3& p : *points)
@@ -243,8 +242,7 @@ inline Consolidated_input consolidate_data(Execution& execution, double share, c
 {
   const Frame frame = data_frame(execution, scan.points, number_of_particles(parameters, scan.points.size()));
   if(!(frame.unit > 0))
-    throw std::invalid_argument("deep_points_consolidate_point_set(): more than half of the points "
-                                "coincide: no spacing to work with");
+    throw Unusable_input("more than half of the points coincide: no spacing to work with");
   Consolidated_input input;
   input.gaps = scan.gaps;
   input.frame = frame;

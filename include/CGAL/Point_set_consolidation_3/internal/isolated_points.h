@@ -48,7 +48,7 @@ public:
     std::vector<char> is_outlier(n, 0);
     if(n < least_points)
       return is_outlier;
-    const Pass first(m_execution, m_points);
+    const Pass first(m_execution, m_points, 0);
     const std::vector<Index> found = first.find();
     if(double(found.size()) > most_share * double(n))
       return is_outlier;
@@ -63,8 +63,7 @@ public:
     std::vector<Index> kept = all_indices(n);
     kept.erase(std::remove_if(kept.begin(), kept.end(), [&](Index i) { return is_outlier[i] != 0; }), kept.end());
     const Points rest = selected(m_points, kept);
-    Pass second(m_execution, rest);
-    second.scale = first.scale;
+    const Pass second(m_execution, rest, first.scale);
     for(const Index k : second.find())
       is_outlier[kept[k]] = 1;
     return is_outlier;
@@ -72,10 +71,11 @@ public:
 
 private:
   struct Pass {
-    Pass(const Execution& execution_, const Points& points_)
+    /// `scale_`: 0 if it is not known yet.
+    Pass(const Execution& execution_, const Points& points_, double scale_)
       : execution(execution_), points(points_), tree(points_)
       , spacing(neighbor_distances(execution_, tree, points_, spacing_neighbors))
-      , scale(median(spacing))
+      , scale(scale_ > 0 ? scale_ : median(spacing))
     {}
 
     std::vector<Index> find() const

@@ -150,8 +150,7 @@ private:
     for(const Vec3& p : points)
       sum.add(p - points.front());
     const Vec3 axis = sum.axes().eigenvectors().col(2);
-    std::vector<Index> order(points.size());
-    std::iota(order.begin(), order.end(), Index(0));
+    std::vector<Index> order = all_indices(points.size());
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return points[a].dot(axis) < points[b].dot(axis); });
     std::vector<Ring_edge> edges;

@@ -151,8 +151,7 @@ private:
                                 [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }},
                                m_shape.skeletal);
     thinning.thin();
-    std::vector<std::size_t> all(m_shape.outer.size());
-    std::iota(all.begin(), all.end(), std::size_t(0));
+    std::vector<std::size_t> all = all_indices<std::size_t>(m_shape.outer.size());
     append(thinning.graph(), all, m_shape.skeletal, false);
   }
 

@@ -99,7 +99,7 @@ private:
     const double nearest = std::sqrt(m_tree->nearest(place).squared_distance);
     const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
     std::vector<double> angles;
-    m_grid.for_each_neighbor(place, m_parameters.rim * nearest, [&](Index j, double) {
+    m_grid.for_each_neighbor(place, m_parameters.opening_reach * nearest, [&](Index j, double) {
       const Vec3 d = (*m_data)[j] - place;
       angles.push_back(std::atan2(d.dot(v), d.dot(u)));
       return true;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -25,6 +26,15 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Points = std::vector<Vec3>;  ///< contiguous doubles, three per point
 using Index = std::uint32_t;       ///< index of a point; bounds a set to 2^32 - 1 points
+
+/// 0, 1, ..., n - 1.
+template <typename Number = Index>
+std::vector<Number> all_indices(std::size_t n)
+{
+  std::vector<Number> result(n);
+  std::iota(result.begin(), result.end(), Number(0));
+  return result;
+}
 
 /// Length below which a vector has no usable direction (lengths are in units of the spacing).
 constexpr double tiny_length = 1e-12;

@@ -166,6 +166,25 @@ void report_stage_times(const NP& np, const Stage_times& times)
   }
 }
 
+/// Calls `work(execution)`, the core of a public function; false if the callback stopped it.
+template <typename ConcurrencyTag, typename NP, typename Work>
+bool run_core(const char* function, const NP& np, const Work& work)
+{
+  Execution execution = make_execution<ConcurrencyTag>(callback_of(np));
+  try {
+    work(execution);
+    execution.progress.finish();
+  }
+  catch(const Cancelled&) {
+    return false;
+  }
+  catch(const Unusable_input& error) {
+    throw_invalid(function, error.what());
+  }
+  report_stage_times(np, execution.times);
+  return true;
+}
+
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL

@@ -21,9 +21,7 @@ namespace internal {
 inline std::vector<std::size_t> random_subset(std::size_t n, std::size_t count, std::uint64_t seed)
 {
   std::mt19937_64 generator(seed);
-  std::vector<std::size_t> order(n);
-  for(std::size_t i = 0; i < n; ++i)
-    order[i] = i;
+  std::vector<std::size_t> order = all_indices<std::size_t>(n);
   count = (std::min)(count, n);
   for(std::size_t i = 0, left = n; i < count && left > 0; ++i, --left)
     std::swap(order[i], order[i + std::size_t(generator() % left)]);

@@ -14,7 +14,6 @@
 #include <CGAL/number_type_config.h>
 
 #include <array>
-#include <stdexcept>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -81,7 +80,7 @@ public:
         number += ring_points(e);
       }
     if(!(number <= most_points))
-      throw std::invalid_argument("the skeleton is too large for the spacing of the points: more than "
+      throw Unusable_input("the skeleton is too large for the spacing of the points: more than "
                                   "ten million points would be tried around it");
     Skeleton_completed_points result;
     for(const std::size_t e : wanted)

@@ -64,8 +64,7 @@ public:
   /// Share of the disc's area that is inside, by the normals of the nearest points.
   double share_inside(const Points& cycle) const
   {
-    std::vector<std::size_t> polygon(cycle.size());
-    std::iota(polygon.begin(), polygon.end(), std::size_t(0));
+    std::vector<std::size_t> polygon = all_indices<std::size_t>(cycle.size());
     double inside = 0, area = 0;
     for(const std::array<std::size_t, 3>& t :
         triangles_of_polygon(polygon, [&](std::size_t k) -> const Vec3& { return cycle[k]; })) {

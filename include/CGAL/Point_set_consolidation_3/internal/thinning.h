@@ -10,8 +10,6 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
-#include <numeric>
-
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -32,13 +30,6 @@ inline std::vector<Index> thinned(const Points& points, double distance)
     });
   }
   return kept;
-}
-
-inline std::vector<Index> all_indices(std::size_t n)
-{
-  std::vector<Index> result(n);
-  std::iota(result.begin(), result.end(), Index(0));
-  return result;
 }
 
 template <typename T>

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/range_access.h>
 
 #include <functional>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -30,6 +31,15 @@ typename Traits::Vector_3 to_vector(const Vec3& v)
 {
   typedef typename Traits::FT FT;
   return typename Traits::Vector_3(FT(v.x()), FT(v.y()), FT(v.z()));
+}
+
+/// Pairs of a point and its normal.
+template <typename Traits, typename OutputIterator>
+OutputIterator write_oriented(const Points& points, const Points& normals, OutputIterator output)
+{
+  for(std::size_t i = 0; i < points.size(); ++i)
+    *output++ = std::make_pair(to_point<Traits>(points[i]), to_vector<Traits>(normals[i]));
+  return output;
 }
 
 /// Calls `write(reference, i)` for the i-th element of the range.
