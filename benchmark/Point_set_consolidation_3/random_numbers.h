@@ -4,6 +4,8 @@
 #ifndef CONSOLIDATION_BENCHMARK_RANDOM_NUMBERS_H
 #define CONSOLIDATION_BENCHMARK_RANDOM_NUMBERS_H
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -27,6 +29,15 @@ public:
     const double u = 1.0 - uniform();
     const double v = uniform();
     return std::sqrt(-2.0 * std::log(u)) * std::cos(6.283185307179586 * v);
+  }
+
+  /// uniform on the unit sphere
+  Eigen::Vector3d direction()
+  {
+    const double z = uniform(-1.0, 1.0);
+    const double angle = uniform(0.0, 2.0 * EIGEN_PI);
+    const double radius = std::sqrt(1.0 - z * z);
+    return {radius * std::cos(angle), radius * std::sin(angle), z};
   }
 
 private:

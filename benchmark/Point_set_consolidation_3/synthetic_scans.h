@@ -4,6 +4,8 @@
 #ifndef CONSOLIDATION_BENCHMARK_SYNTHETIC_SCANS_H
 #define CONSOLIDATION_BENCHMARK_SYNTHETIC_SCANS_H
 
+#include "random_numbers.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -11,13 +13,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <random>
 #include <vector>
 
 /// Shapes given by exact distances, and scans of them: ground truth of tests and figures.
 namespace synthetic {
 
 using Vec3 = Eigen::Vector3d;
+using benchmark::Random_numbers;
 using Function = std::function<double(const Vec3&)>;
 
 /// A solid: signed distance of its surface (negative inside, exact near the surface), distance to
@@ -101,24 +103,6 @@ inline Shape united(const std::vector<Shape>& parts)
   };
   return Shape(least(&Shape::distance), least(&Shape::skeleton_distance), lower, upper);
 }
-
-/// Reproducible on every platform, unlike the standard distributions.
-class Random_numbers {
-public:
-  explicit Random_numbers(std::uint64_t seed) : m_generator(seed) {}
-  double uniform() { return double(m_generator() >> 11) * 0x1p-53; }
-  Vec3 direction()
-  {
-    for(;;) {
-      const Vec3 v = 2 * Vec3(uniform(), uniform(), uniform()) - Vec3::Ones();
-      if(v.norm() > 1e-3 && v.norm() < 1)
-        return v.normalized();
-    }
-  }
-
-private:
-  std::mt19937_64 m_generator;
-};
 
 /// First hit of the ray from `origin` along the unit vector `direction`, by sphere tracing; NaN: none.
 inline Vec3 hit(const Shape& shape, const Vec3& origin, const Vec3& direction, double length)

@@ -101,21 +101,13 @@ Eigen::AlignedBox3d box_of(const std::vector<Vec3>& points)
   return box;
 }
 
-Vec3 random_direction(Random_numbers& random)
-{
-  const double z = random.uniform(-1.0, 1.0);
-  const double angle = random.uniform(0.0, 2.0 * EIGEN_PI);
-  const double radius = std::sqrt(1.0 - z * z);
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
-}
-
 /// The rigid motion by which a view is misregistered.
 Eigen::Isometry3d misalignment(const Vec3& centre, double diagonal, double percent,
                                Random_numbers& random)
 {
   const double length = percent / 100.0 * diagonal;
-  const Vec3 shift = length * random_direction(random);
-  const Vec3 axis = random_direction(random);
+  const Vec3 shift = length * random.direction();
+  const Vec3 axis = random.direction();
   // a point half a diagonal away from the centre moves by `length`
   const Eigen::AngleAxisd rotation(2.0 * percent / 100.0, axis);
   return Eigen::Translation3d(centre + shift) * rotation * Eigen::Translation3d(-centre);

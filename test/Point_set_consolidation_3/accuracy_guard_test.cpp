@@ -75,7 +75,7 @@ Closing close_cap()
 {
   const Vec3 axes(1, 0.7, 0.5);
   const double diagonal = 2 * axes.norm(), height = 0.398;
-  synthetic::Random_numbers random(1);
+  benchmark::Random_numbers random(1);
   const auto on_surface = [&] { return Vec3(random.direction().cwiseProduct(axes)); };
   Point_cloud cloud;
   while(cloud.size() < 15000) {

@@ -328,7 +328,7 @@ struct Open_tube {
 
   Open_tube()
   {
-    synthetic::Random_numbers random(8);
+    benchmark::Random_numbers random(8);
     for(std::size_t i = 0; i < 8000; ++i) {
       const double a = 2 * CGAL_PI * random.uniform(), z = 3 * random.uniform();
       indices.push_back(i);

@@ -5,6 +5,8 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/anisotropic_edge_aware_upsample_point_set.h>
@@ -15,7 +17,6 @@
 #include <cassert>
 #include <cmath>
 #include <iostream>
-#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -32,22 +33,10 @@ using Oriented_point = std::pair<Point, Vector>;
 using Point_map = CGAL::First_of_pair_property_map<Oriented_point>;
 using Normal_map = CGAL::Second_of_pair_property_map<Oriented_point>;
 
-class Numbers {
-public:
-  double uniform() { return double(m_engine() >> 11) * 0x1.0p-53; }
-  double normal()
-  {
-    return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(6.283185307179586 * uniform());
-  }
-
-private:
-  std::mt19937_64 m_engine{5};
-};
-
 // The surface of [-1, 1]^3.
 std::vector<Point> noisy_cube(std::size_t n, double noise)
 {
-  Numbers numbers;
+  benchmark::Random_numbers numbers(5);
   std::vector<Point> points;
   for(std::size_t i = 0; i < n; ++i) {
     double x[3];

@@ -6,19 +6,21 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/Point_set_consolidation_3/internal/feature_reconstruction.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <iostream>
-#include <random>
 #include <set>
 #include <string>
 
 namespace {
 
 using namespace CGAL::Point_set_consolidation_3;
+using benchmark::Random_numbers;
 using internal::Points;
 using internal::Vec3;
 
@@ -49,11 +51,10 @@ Vec3 normal(const Vec3& p)
 // Samples that one of two viewers, 120 degrees apart, sees at a cosine above 0.2.
 void scan(std::size_t n, Points& points, Points& normals)
 {
-  std::mt19937_64 engine(3);
-  const auto uniform = [&] { return double(engine() >> 11) * 0x1.0p-53; };
+  Random_numbers random(3);
   const Vec3 views[2] = {Vec3(-0.2, 0, 1).normalized(), Vec3(0.2, 0.866, -0.5).normalized()};
   while(points.size() < n) {
-    Vec3 p(4 * uniform() - 0.5, 1.6 * uniform() - 0.8, 0.8 * uniform() - 0.4);
+    Vec3 p(random.uniform(-0.5, 3.5), random.uniform(-0.8, 0.8), random.uniform(-0.4, 0.4));
     if(std::abs(distance(p)) > 0.05)
       continue;
     for(int step = 0; step < 3; ++step)
@@ -95,27 +96,14 @@ internal::Surface_triangles reconstruct(const Points& points, const Points& norm
   return internal::reconstruct_feature_enhanced(execution, points, normals, {}, settings).surface;
 }
 
-// Standard normal numbers.
-class Normal_numbers {
-public:
-  double operator()()
-  {
-    const double u = double((m_engine() >> 11) + 1) * 0x1.0p-53, v = double(m_engine() >> 11) * 0x1.0p-53;
-    return std::sqrt(-2 * std::log(u)) * std::cos(6.283185307179586 * v);
-  }
-
-private:
-  std::mt19937_64 m_engine{5};
-};
-
 // The noise of a point set is measured, whether it is smaller or larger than the spacing allows to see at once.
 void measure_noise()
 {
   for(const double noise : {0.1, 0.6}) {
-    Normal_numbers normal_number;
+    Random_numbers random(5);
     Points plane;
     for(int i = 0; i < 3600; ++i)
-      plane.emplace_back(i % 60 + 0.3 * normal_number(), i / 60 + 0.3 * normal_number(), noise * normal_number());
+      plane.emplace_back(i % 60 + 0.3 * random.normal(), i / 60 + 0.3 * random.normal(), noise * random.normal());
     internal::Execution execution = {false, internal::Progress(), {}};
     const double measured = internal::measured_noise(execution, plane);
     std::cout << "noise " << noise << " of the spacing, measured " << measured << std::endl;
@@ -127,10 +115,10 @@ void measure_noise()
 void reconstruct_noisy(const Points& points, const Points& normals)
 {
   constexpr double noise = 0.06 * radius;
-  Normal_numbers normal_number;
+  Random_numbers random(5);
   Points noisy;
   for(std::size_t i = 0; i < points.size(); ++i)
-    noisy.push_back(points[i] + noise * normal_number() * normals[i]);
+    noisy.push_back(points[i] + noise * random.normal() * normals[i]);
   internal::Feature_enhanced_settings settings;
   internal::Execution execution = {false, internal::Progress(), {}};
   const double error =
@@ -195,15 +183,17 @@ void remove_handles()
   assert(thick.size_of_inside() > thick_size && thick.size_of_inside() < thick_size + 40); // one of radius 2.2
 }
 
-// Of an axis that is given, what is completed in any case: where the data have a gap, not where a thick part is around.
-void gaps_of_axis()
-{
-  constexpr double seen = 0.45, axis_radius = 0.08;
-  const auto gaps = [&](double tube_radius) {
-    Points points, normals;
+// A tube along the x-axis whose middle is missing, and its axis.
+struct Rod {
+  static constexpr double length = 2, seen = 0.45, axis_radius = 0.08;
+  Points points, normals;
+  internal::Skeleton_graph axis;
+
+  explicit Rod(double tube_radius)
+  {
     for(int ring = 0; ring <= 100; ++ring) {
       const double x = ring / 50.;
-      if(x > seen && x < 2 - seen)
+      if(x > seen && x < length - seen)
         continue;
       for(int k = 0; k < 24; ++k) {
         const double turn = 6.283185307179586 * (k + 0.5 * (ring % 2)) / 24;
@@ -211,21 +201,49 @@ void gaps_of_axis()
         points.push_back(Vec3(x, 0, 0) + tube_radius * normals.back());
       }
     }
-    internal::Skeleton_graph axis;
     for(int k = 0; k <= 10; ++k) {
       axis.nodes.push_back({Vec3(k / 5., 0, 0), axis_radius, {}});
       if(k > 0)
         axis.edges.push_back({std::size_t(k) - 1, std::size_t(k)});
     }
-    const std::vector<char> is_gap = internal::gap_edges(axis, points, normals);
+  }
+};
+
+// Of an axis that is given, what is completed in any case: where the data have a gap, not where a thick part is around.
+void gaps_of_axis()
+{
+  const auto gaps = [](const Rod& rod) {
     std::string text;
-    for(const char flag : is_gap)
+    for(const char flag : internal::gap_edges(rod.axis, rod.points, rod.normals))
       text += flag ? '1' : '0';
     return text;
   };
-  std::cout << "gaps of a rod " << gaps(axis_radius) << ", in a thick tube " << gaps(0.7) << std::endl;
-  assert(gaps(axis_radius) == "0011111100");
-  assert(gaps(0.7) == "0000000000");  // its gap is as long as it is wide: all around faces away
+  const Rod thin(Rod::axis_radius), thick(0.7);
+  std::cout << "gaps of a rod " << gaps(thin) << ", in a thick tube " << gaps(thick) << std::endl;
+  assert(gaps(thin) == "0011111100");
+  assert(gaps(thick) == "0000000000");  // its gap is as long as it is wide: all around faces away
+}
+
+// The surface follows an axis that is given where there are no data.
+void reconstruct_around_given_axis()
+{
+  const Rod rod(Rod::axis_radius);
+  const auto middle = [&](const internal::Skeleton_graph& axis) {
+    internal::Execution execution = {false, internal::Progress(), {}};
+    const internal::Surface_triangles surface =
+      internal::reconstruct_feature_enhanced(execution, rod.points, rod.normals, axis, {}).surface;
+    double count = 0, error = 0;
+    for(const Vec3& v : surface.vertices)
+      if(std::abs(v.x() - 0.5 * Rod::length) < 0.3) {
+        ++count;
+        error += std::abs(std::hypot(v.y(), v.z()) - Rod::axis_radius);
+      }
+    std::cout << count << " vertices in the gap of a rod, error " << error / (std::max)(1., count) << std::endl;
+    return std::make_pair(count, error / (std::max)(1., count));
+  };
+  const auto given = middle(rod.axis), none = middle({});
+  assert(given.first > 50 && given.second < 0.15 * Rod::axis_radius);
+  assert(none.first == 0);
 }
 
 }  // namespace
@@ -249,6 +267,7 @@ int main()
 
   remove_handles();
   gaps_of_axis();
+  reconstruct_around_given_axis();
   measure_noise();
   reconstruct_noisy(points, normals);
 

@@ -5,6 +5,8 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_consolidation_3/internal/isolated_points.h>
 #include <CGAL/complete_point_set.h>
@@ -14,10 +16,10 @@
 #include <iostream>
 #include <iterator>
 #include <numeric>
-#include <random>
 
 namespace psc = CGAL::Point_set_consolidation_3::internal;
 namespace params = CGAL::Point_set_consolidation_3::parameters;
+using benchmark::Random_numbers;
 using psc::Points;
 using psc::Vec3;
 
@@ -25,19 +27,10 @@ namespace {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 
-class Random {
-public:
-  explicit Random(unsigned seed) : m_generator(seed) {}
-  double uniform(double a, double b) { return a + (b - a) * double(m_generator()) / double(std::mt19937::max()); }
-
-private:
-  std::mt19937 m_generator;
-};
-
 /// A torus of radii 1 and 0.4, moved off it by up to `noise`, and outliers at the end in a box twice as large.
 Points torus(std::size_t n, std::size_t outliers, double noise, unsigned seed)
 {
-  Random random(seed);
+  Random_numbers random(seed);
   Points points;
   while(points.size() < n) {
     const double u = random.uniform(0, 6.283185307179586), v = random.uniform(0, 6.283185307179586);
@@ -97,7 +90,7 @@ void data_stay()
     assert(count(isolated(torus(n, 0, noise, 9)), 0, n) == 0);  // noise is no outlier
 
   // a sheet whose one half is six times as sparse, as a scanner sees what it looks along
-  Random random(3);
+  Random_numbers random(3);
   Points sheet;
   while(sheet.size() < 4000) {
     const double x = random.uniform(-1, 1), y = random.uniform(0, 1);

@@ -5,6 +5,8 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
@@ -21,7 +23,6 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
-#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -36,23 +37,10 @@ typedef CGAL::Second_of_pair_property_map<Oriented_point> Normal_map;
 
 namespace core = CGAL::Point_set_consolidation_3::internal;
 namespace params = CGAL::Point_set_consolidation_3::parameters;
+using benchmark::Random_numbers;
 using core::Vec3;
 
 namespace {
-
-struct Random {
-  std::mt19937_64 generator{7};
-  double operator()() { return double(generator() >> 11) / 9007199254740992.; }
-  double signed_unit() { return 2 * (*this)() - 1; }
-  Vec3 direction()
-  {
-    for(;;) {
-      const Vec3 v(signed_unit(), signed_unit(), signed_unit());
-      if(v.norm() > 0.1 && v.norm() < 1)
-        return v.normalized();
-    }
-  }
-};
 
 auto maps() { return params::point_map(Point_map()).normal_map(Normal_map()); }
 
@@ -64,13 +52,13 @@ Vec3 to_vec3(const Vector& v) { return Vec3(v.x(), v.y(), v.z()); }
 /// Points of an ellipsoid with semi-axes 1, 0.7, 0.5, outside of a ball around its pole.
 Oriented_points ellipsoid(std::size_t n, double hole, double noise = 0)
 {
-  Random random;
+  Random_numbers random(7);
   Oriented_points points;
   while(points.size() < n) {
     const Vec3 d = random.direction();
     const Vec3 p(d.x(), 0.7 * d.y(), 0.5 * d.z());
     const Vec3 normal = Vec3(d.x(), d.y() / 0.7, d.z() / 0.5).normalized();
-    const double shift = noise * random.signed_unit();
+    const double shift = noise * random.uniform(-1, 1);
     if((p - Vec3(0, 0, 0.5)).norm() > hole)
       points.emplace_back(to_point(p + shift * normal), to_vector(normal));
   }
@@ -86,17 +74,17 @@ double ellipsoid_distance(const Vec3& p)
 
 void closed_form_is_the_least_squares_fit()
 {
-  Random random;
+  Random_numbers random(7);
   for(int trial = 0; trial < 50; ++trial) {
-    const double h = std::pow(10., random.signed_unit() * 3), offset = trial % 2 == 0 ? 0 : 1e4 * h;
+    const double h = std::pow(10., random.uniform(-1, 1) * 3), offset = trial % 2 == 0 ? 0 : 1e4 * h;
     const Vec3 x = offset * random.direction();
     constexpr int n = 12;
     Eigen::MatrixXd D(4 * n, 5);
     Eigen::VectorXd b(4 * n);
     core::Algebraic_sphere_fit fit(x, h);
     for(int i = 0; i < n; ++i) {
-      const Vec3 y = random() * random.direction(), normal = random.direction();
-      const double w = random() + 0.1, root = std::sqrt(w), beta = 1e12;
+      const Vec3 y = random.uniform() * random.direction(), normal = random.direction();
+      const double w = random.uniform() + 0.1, root = std::sqrt(w), beta = 1e12;
       fit.add(w, h * y, normal);
       D.row(4 * i) << root, root * y.transpose(), root * y.squaredNorm();
       b[4 * i] = 0;
@@ -117,13 +105,13 @@ void closed_form_is_the_least_squares_fit()
 
 void algebraic_surface_is_exact_on_spheres_and_planes()
 {
-  Random random;
+  Random_numbers random(7);
   const Vec3 centre(100, -50, 20);
   Oriented_points sphere, plane;
   for(int i = 0; i < 500; ++i) {
     const Vec3 d = random.direction();
     sphere.emplace_back(to_point(centre + 2 * d), to_vector(d));
-    plane.emplace_back(Point(random(), random(), 3), Vector(0, 0, 1));
+    plane.emplace_back(Point(random.uniform(), random.uniform(), 3), Vector(0, 0, 1));
   }
   const CGAL::Algebraic_point_set_surface_3<Kernel> on_sphere(sphere,
                                                               maps().neighbor_radius(1.));
@@ -131,14 +119,14 @@ void algebraic_surface_is_exact_on_spheres_and_planes()
   assert(on_sphere.support_radius() > 0.999999 && on_sphere.support_radius() < 1.000001);
   for(int i = 0; i < 100; ++i) {
     const Vec3 d = random.direction();
-    const Point query = to_point(centre + (2 + 0.3 * random.signed_unit()) * d);
+    const Point query = to_point(centre + (2 + 0.3 * random.uniform(-1, 1)) * d);
     const double distance = (to_vec3(query) - centre).norm() - 2;
     assert((to_vec3(*on_sphere.project(query)) - (centre + 2 * d)).norm() < 1e-9);
     assert(std::abs(*on_sphere.signed_distance(query) - distance) < 1e-9);
     assert(std::abs(on_sphere.fit(query)->curvature - 0.5) < 1e-9);
     assert(to_vec3(*on_sphere.gradient(query)).normalized().dot(d) > 1 - 1e-9);
 
-    const Point above(0.2 + 0.6 * random(), 0.2 + 0.6 * random(), 3 + 0.3 * random.signed_unit());
+    const Point above(0.2 + 0.6 * random.uniform(), 0.2 + 0.6 * random.uniform(), 3 + 0.3 * random.uniform(-1, 1));
     assert(std::abs(on_plane.project(above)->z() - 3) < 1e-12);
     assert(std::abs(*on_plane.signed_distance(above) - (above.z() - 3)) < 1e-12);
   }
@@ -157,7 +145,7 @@ void algebraic_surface_is_exact_on_spheres_and_planes()
 void rotation_is_exact()
 {
   core::Algebraic_sphere_fit fit(Vec3(3, 0, 0), 1.);
-  Random random;
+  Random_numbers random(7);
   for(int i = 0; i < 20; ++i) {  // the unit sphere around the origin, far from where it is fitted
     const Vec3 d = random.direction();
     fit.add(1, d - Vec3(3, 0, 0), d);
@@ -207,7 +195,7 @@ void wlop_is_accurate_and_even_and_static_particles_stay()
 
 void mean_shift_finds_far_outliers()
 {
-  Random random;
+  Random_numbers random(7);
   Oriented_points points = ellipsoid(2000, 0);
   constexpr std::size_t far = 20;
   for(std::size_t i = 0; i < far; ++i)
@@ -281,10 +269,10 @@ void upsampling_is_exact_to_second_order()
 void bilateral_projection_keeps_an_edge()
 {
   // two half planes at a right angle, with noise along their normals
-  Random random;
+  Random_numbers random(7);
   Oriented_points points;
   for(int i = 0; i < 8000; ++i) {
-    const double u = random(), v = random(), noise = 0.004 * random.signed_unit();
+    const double u = random.uniform(), v = random.uniform(), noise = 0.004 * random.uniform(-1, 1);
     if(i % 2 == 0)
       points.emplace_back(Point(u, v, noise), Vector(0, 0, 1));
     else
@@ -337,7 +325,7 @@ void closes_a_large_hole(bool with_normals)
     assert(result[i].first == points[i].first);
 
   // every place in the hole has a point near it
-  Random random;
+  Random_numbers random(7);
   std::size_t covered = 0, places = 0;
   core::Points positions;
   for(const Oriented_point& p : result)
@@ -355,10 +343,10 @@ void closes_a_large_hole(bool with_normals)
 
 void open_sheets_are_not_extended()
 {
-  Random random;
+  Random_numbers random(7);
   std::vector<Point> sheet;
   for(int i = 0; i < 3000; ++i)
-    sheet.emplace_back(random(), random(), 0.);
+    sheet.emplace_back(random.uniform(), random.uniform(), 0.);
   Oriented_points result;
   CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(sheet, std::back_inserter(result));
   assert(result.size() == sheet.size());
@@ -366,12 +354,12 @@ void open_sheets_are_not_extended()
 
 void reports_outliers_and_keeps_the_static_region()
 {
-  Random random;
+  Random_numbers random(7);
   Oriented_points points = ellipsoid(5000, 0.);
   constexpr std::size_t number = 250;
   for(std::size_t i = 0; i < number; ++i)
-    points.emplace_back(Point(2 * random.signed_unit(), 2 * random.signed_unit(),
-                              2 * random.signed_unit()), Vector(0, 0, 1));
+    points.emplace_back(Point(2 * random.uniform(-1, 1), 2 * random.uniform(-1, 1),
+                              2 * random.uniform(-1, 1)), Vector(0, 0, 1));
   Oriented_points result;
   std::vector<std::size_t> outliers;
   CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
@@ -449,7 +437,7 @@ void callback_is_monotone_and_cancels()
 
 void degenerate_input_is_handled()
 {
-  Random random;
+  Random_numbers random(7);
   std::vector<std::vector<Point> > sets;
   sets.push_back(std::vector<Point>(1, Point(1, 2, 3)));
   sets.push_back({Point(0, 0, 0), Point(1, 0, 0)});
@@ -459,10 +447,10 @@ void degenerate_input_is_handled()
     sets.back().emplace_back(i * 0.1, 0., 0.);  // a line
   sets.emplace_back();
   for(int i = 0; i < 600; ++i)
-    sets.back().emplace_back(random(), random(), random());  // a volume
+    sets.back().emplace_back(random.uniform(), random.uniform(), random.uniform());  // a volume
   sets.emplace_back();
   for(int i = 0; i < 15; ++i)
-    sets.back().emplace_back(random(), random(), random());
+    sets.back().emplace_back(random.uniform(), random.uniform(), random.uniform());
   for(const std::vector<Point>& set : sets) {
     Oriented_points result;
     CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(set, std::back_inserter(result));

@@ -4,6 +4,7 @@
 // The benchmark's scanner and judge on shapes whose answers are known.
 #undef NDEBUG
 #include "judge.h"
+#include "random_numbers.h"
 #include "virtual_scanner.h"
 
 #include <Eigen/Geometry>
@@ -252,14 +253,10 @@ void point_spacing()
   check(regular.distance.mean, 1.0 / std::sqrt(2.0), 1e-9, "height above the plane");
 
   // independent uniform points in the plane: sqrt(4/pi - 1). Slices of equal area would be too even.
-  std::uint64_t state = 1;
-  const auto uniform = [&] {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return static_cast<double>(state >> 11) * 0x1.0p-53;
-  };
+  benchmark::Random_numbers numbers(1);
   for(int i = 0; i < 20000; ++i) {
-    const double u = uniform();
-    random.points.emplace_back(u, uniform(), 0.0);
+    const double u = numbers.uniform();
+    random.points.emplace_back(u, numbers.uniform(), 0.0);
   }
   check(Judge(plane).points(random).spacing_variation, std::sqrt(4.0 / EIGEN_PI - 1.0), 0.01,
         "spacing variation of random points");

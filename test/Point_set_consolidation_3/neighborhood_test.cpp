@@ -3,12 +3,13 @@
 
 // The neighbour structure against all pairs, and the exponential of the weights against the library's.
 
+#include "random_numbers.h"
+
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <string>
 
 using namespace CGAL::Point_set_consolidation_3::internal;
@@ -25,11 +26,11 @@ void expect(bool condition, const std::string& what)
 
 Points random_points(std::size_t n, unsigned seed)
 {
-  std::mt19937 generator(seed);
+  benchmark::Random_numbers random(seed);
   Points points(n);
   for(Vec3& p : points)
     for(int axis = 0; axis < 3; ++axis)
-      p[axis] = double(generator()) / double(std::mt19937::max());
+      p[axis] = random.uniform();
   return points;
 }
 

@@ -6,12 +6,13 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 
 #include <cassert>
 #include <cmath>
 #include <iostream>
-#include <random>
 #include <string>
 
 using namespace CGAL::Point_set_consolidation_3::internal;
@@ -30,17 +31,12 @@ struct Shape {
   }
 };
 
-double uniform(std::mt19937_64& generator)
-{
-  return double(generator() >> 11) / 9007199254740992.;
-}
-
 // A ball of radius 1 at (x, 0, 0), or the part of it above z = lowest.
 void add_ball(Shape& shape, std::size_t count, double x, double lowest, std::uint64_t seed)
 {
-  std::mt19937_64 generator(seed);
+  benchmark::Random_numbers random(seed);
   for(std::size_t k = 0; k < count; ++k) {
-    const double z = lowest + (1 - lowest) * uniform(generator), a = 2 * pi * uniform(generator);
+    const double z = lowest + (1 - lowest) * random.uniform(), a = 2 * pi * random.uniform();
     const double r = std::sqrt(1 - z * z);
     const Vec3 n(r * std::cos(a), r * std::sin(a), z);
     shape.add(n + Vec3(x, 0, 0), n);
@@ -50,19 +46,19 @@ void add_ball(Shape& shape, std::size_t count, double x, double lowest, std::uin
 // A box with as many points per area on all faces.
 Shape box(std::size_t count, double a, double b, double c)
 {
-  std::mt19937_64 generator(3);
+  benchmark::Random_numbers random(3);
   const Vec3 half(a / 2, b / 2, c / 2);
   const double areas[3] = {b * c, a * c, a * b};
   Shape shape;
   while(shape.points.size() < count) {
-    double u = uniform(generator) * (areas[0] + areas[1] + areas[2]);
+    double u = random.uniform() * (areas[0] + areas[1] + areas[2]);
     int axis = 0;
     while(axis < 2 && u > areas[axis])
       u -= areas[axis++];
     Vec3 p, n = Vec3::Zero();
     for(int k = 0; k < 3; ++k)
-      p[k] = (2 * uniform(generator) - 1) * half[k];
-    n[axis] = generator() % 2 == 0 ? 1 : -1;
+      p[k] = (2 * random.uniform() - 1) * half[k];
+    n[axis] = random.uniform() < 0.5 ? 1 : -1;
     p[axis] = n[axis] * half[axis];
     shape.add(p, n);
   }
@@ -71,14 +67,14 @@ Shape box(std::size_t count, double a, double b, double c)
 
 Shape torus(std::size_t count, double radius, double noise)
 {
-  std::mt19937_64 generator(4);
+  benchmark::Random_numbers random(4);
   Shape shape;
   while(shape.points.size() < count) {
-    const double u = 2 * pi * uniform(generator), v = 2 * pi * uniform(generator);
-    if(uniform(generator) > (1 + radius * std::cos(v)) / (1 + radius))
+    const double u = 2 * pi * random.uniform(), v = 2 * pi * random.uniform();
+    if(random.uniform() > (1 + radius * std::cos(v)) / (1 + radius))
       continue;
     const Vec3 n(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
-    const double r = radius + noise * (uniform(generator) + uniform(generator) + uniform(generator) - 1.5);
+    const double r = radius + noise * (random.uniform() + random.uniform() + random.uniform() - 1.5);
     shape.add(Vec3(std::cos(u), std::sin(u), 0) + r * n, n);
   }
   return shape;
@@ -88,10 +84,10 @@ Shape torus(std::size_t count, double radius, double noise)
 double wrong_share(const std::string& name, const Shape& shape)
 {
   const Execution execution = make_execution<CGAL::Sequential_tag>();
-  std::mt19937_64 generator(1);
+  benchmark::Random_numbers random(1);
   Points normals = shape.normals;
   for(Vec3& n : normals)
-    if(generator() % 2 == 0)
+    if(random.uniform() < 0.5)
       n = -n;
   orient_by_dipoles(execution, shape.points, normals);
   std::size_t wrong = 0;

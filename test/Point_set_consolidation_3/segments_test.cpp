@@ -5,6 +5,8 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/density_peak_segment_point_set.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
@@ -15,7 +17,6 @@
 #include <cassert>
 #include <cmath>
 #include <iostream>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -31,18 +32,10 @@ using Point_map = CGAL::First_of_pair_property_map<Labelled_point>;
 using Label_map = CGAL::Second_of_pair_property_map<Labelled_point>;
 constexpr double pi = 3.14159265358979323846;
 
-class Numbers {
-public:
-  double uniform() { return double(m_engine() >> 11) * 0x1.0p-53; }
-
-private:
-  std::mt19937_64 m_engine{11};
-};
-
 // Balls of radius 0.5 at -1 and 1 on the x axis, the bar between them has radius 0.12.
 std::vector<Labelled_point> dumbbell(std::size_t n)
 {
-  Numbers numbers;
+  benchmark::Random_numbers numbers(11);
   std::vector<Labelled_point> points;
   const double bar = 2 * pi * 0.12 * 1.03, ball = 4 * pi * 0.25;
   while(points.size() < n) {
@@ -64,7 +57,7 @@ std::vector<Labelled_point> dumbbell(std::size_t n)
 // A tube of radius 0.25 along x in [0, 3] with round ends, or bent to a ring of radius 1.
 std::vector<Point> tube(std::size_t n, bool is_ring)
 {
-  Numbers numbers;
+  benchmark::Random_numbers numbers(11);
   std::vector<Point> points;
   for(std::size_t i = 0; i < n; ++i) {
     const double along = numbers.uniform(), turn = 2 * pi * numbers.uniform();

@@ -3,6 +3,8 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/skeleton_driven_surface_reconstruction.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -14,7 +16,6 @@
 #include <cassert>
 #include <cmath>
 #include <iostream>
-#include <random>
 #include <sstream>
 #include <vector>
 
@@ -35,14 +36,11 @@ constexpr double tube_radius = 0.4, half_length = 1.35, gap = 0.8;
 /// A tube with round ends along the z-axis, without its middle.
 std::vector<Point> tube_with_gap(std::size_t n)
 {
-  std::mt19937_64 generator(1);
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * double(generator() >> 11) / 9007199254740992.;
-  };
+  benchmark::Random_numbers random(1);
   std::vector<Point> points;
   while(points.size() < n) {
-    const double z = uniform(-half_length - tube_radius, half_length + tube_radius);
-    const double a = uniform(0, 2 * CGAL_PI);
+    const double z = random.uniform(-half_length - tube_radius, half_length + tube_radius);
+    const double a = random.uniform(0, 2 * CGAL_PI);
     const double beyond = (std::max)(0., std::abs(z) - half_length);
     const double r = std::sqrt(tube_radius * tube_radius - beyond * beyond);
     if(std::abs(z) > gap / 2)

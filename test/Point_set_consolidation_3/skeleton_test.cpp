@@ -3,6 +3,8 @@
 
 #undef NDEBUG
 
+#include "random_numbers.h"
+
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
 #include <CGAL/extract_laplacian_contraction_skeleton.h>
@@ -17,7 +19,6 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <random>
 #include <sstream>
 #include <vector>
 
@@ -33,26 +34,15 @@ using Vector = Kernel::Vector_3;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using Tag = CGAL::Sequential_tag;
 
-class Uniform {
-public:
-  double operator()(double low, double high)
-  {
-    return low + (high - low) * double(m_generator() >> 11) / 9007199254740992.;
-  }
-
-private:
-  std::mt19937_64 m_generator{1};
-};
-
 /// A torus around the z-axis: its skeleton is the circle of the larger radius.
 std::vector<Point> torus(std::size_t n, double large, double small)
 {
-  Uniform uniform;
+  benchmark::Random_numbers random(1);
   std::vector<Point> points;
   while(points.size() < n) {
-    const double u = uniform(0, 2 * CGAL_PI), v = uniform(0, 2 * CGAL_PI);
+    const double u = random.uniform(0, 2 * CGAL_PI), v = random.uniform(0, 2 * CGAL_PI);
     const double r = large + small * std::cos(v);
-    if(uniform(0, large + small) < r)
+    if(random.uniform(0, large + small) < r)
       points.emplace_back(r * std::cos(u), r * std::sin(u), small * std::sin(v));
   }
   return points;
@@ -62,11 +52,11 @@ std::vector<Point> torus(std::size_t n, double large, double small)
 std::vector<Point> capsule(std::size_t n, double radius, double half_length,
                            std::vector<Vector>* normals = nullptr, bool one_sided = false)
 {
-  Uniform uniform;
+  benchmark::Random_numbers random(1);
   std::vector<Point> points;
   while(points.size() < n) {
-    const double z = uniform(-half_length - radius, half_length + radius);
-    const double a = uniform(0, 2 * CGAL_PI);
+    const double z = random.uniform(-half_length - radius, half_length + radius);
+    const double a = random.uniform(0, 2 * CGAL_PI);
     const double beyond = (std::max)(0., std::abs(z) - half_length);
     const double r = std::sqrt(radius * radius - beyond * beyond);
     if(one_sided && std::sin(a) < 0)
@@ -288,7 +278,7 @@ void test_soup()
 
 void test_degenerate_input()
 {
-  Uniform uniform;
+  benchmark::Random_numbers random(1);
   {
     const Skeleton skeleton = skeleton_of(std::vector<Point>(50, Point(1, 2, 3)));
     assert(num_vertices(skeleton) == 1 && skeleton[0].point == Point(1, 2, 3));
@@ -296,7 +286,7 @@ void test_degenerate_input()
   {
     std::vector<Point> line;
     for(int i = 0; i < 100; ++i)
-      line.emplace_back(uniform(0, 1), 0, 0);
+      line.emplace_back(random.uniform(0, 1), 0, 0);
     const Skeleton skeleton = skeleton_of(line);
     check_is_finite(skeleton);
     assert(CGAL::number_of_skeleton_components(skeleton) == 1 && tips(skeleton) == 2);
@@ -305,7 +295,7 @@ void test_degenerate_input()
   {
     std::vector<Point> sheet, grid;
     for(int i = 0; i < 2000; ++i)
-      sheet.emplace_back(uniform(0, 1), uniform(0, 1), 0);
+      sheet.emplace_back(random.uniform(0, 1), random.uniform(0, 1), 0);
     for(int i = 0; i < 40; ++i)
       for(int j = 0; j < 40; ++j)
         grid.emplace_back(i, j, 0);
@@ -315,7 +305,7 @@ void test_degenerate_input()
   {
     std::vector<Point> sphere;
     while(sphere.size() < 1500) {
-      const Vector v(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      const Vector v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
       if(v.squared_length() < 1 && v.squared_length() > 0.01)
         sphere.push_back(CGAL::ORIGIN + v / std::sqrt(v.squared_length()));
     }
@@ -324,7 +314,7 @@ void test_degenerate_input()
     assert(CGAL::number_of_skeleton_cycles(skeleton) == 0);
     std::vector<Point> outliers = sphere, twice = sphere;
     for(int i = 0; i < 45; ++i)
-      outliers.emplace_back(uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
+      outliers.emplace_back(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
     check_is_finite(skeleton_of(outliers));
     twice.insert(twice.end(), sphere.begin(), sphere.end());
     const Skeleton doubled = skeleton_of(twice);
@@ -334,7 +324,7 @@ void test_degenerate_input()
   for(std::size_t n = 4; n < 12; ++n) {
     std::vector<Point> few;
     for(std::size_t i = 0; i < n; ++i)
-      few.emplace_back(uniform(0, 1), uniform(0, 1), uniform(0, 1));
+      few.emplace_back(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
     check_is_finite(skeleton_of(few));
   }
 }

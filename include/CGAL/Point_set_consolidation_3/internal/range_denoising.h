@@ -21,6 +21,12 @@ namespace internal {
 /// A range scanner errs along its rays: in the image of a view the places of points are exact and only their heights,
 /// towards the scanner, are not. So heights are smoothed over the image, where what lies behind a part is not
 /// near it; neighbourhoods in space mix the front and the back of parts that are thinner than the noise.
+///
+/// Raw heights tell on which side of an edge of depth a point is only if that is much higher than the noise.
+/// So the first result guides the next: which heights belong to a surface is decided by the smoothed ones, what its
+/// height is by the raw ones (rolling guidance, Zhang et al., ECCV 2014, here with quadrics). Three views of seven
+/// models, error of meshes relative to that of the raw scan without and with it: 0.38 and 0.31 at 2 % of noise (five
+/// of the six false handles of these models are gone), 0.67 and 0.64 at 0.5 %.
 class Range_denoising {
   static constexpr std::size_t least_neighbors = 12;  ///< twice the coefficients of a quadric
   static constexpr std::size_t noise_samples = 4000;
@@ -31,7 +37,11 @@ class Range_denoising {
   /// and 0.43 with 150, 240 and 400 (6 spacings, 2 %).
   static constexpr double neighbors_per_noise = 30;
   static constexpr double most_neighbors = 400;
-  static constexpr double residual_width = 1.5;       ///< of the weights, in the noise; 0.5: 10 % worse, 2: 4 %
+  static constexpr double residual_width = 1;         ///< of the weights, in the noise
+  static constexpr int guided_passes = 2;
+  static constexpr double guided_width = 0.5;         ///< of the weights by smoothed heights, in the noise
+  static constexpr double guided_reach = 1.3;         ///< what does not belong is left out: more neighbours help
+  static constexpr double guided_slope = 0.3;         ///< that a guided fit starts with
   static constexpr std::size_t iterations = 5;
   static constexpr double settled = 0.01;             ///< change of the height, in units of the noise
 
@@ -45,6 +55,7 @@ public:
       m_flat.push_back(Vec3(u.x(), u.y(), 0));
       m_height.push_back(u.z());
     }
+    m_smoothed = m_height;
   }
 
   /// The points, moved along their rays; the same if they have next to no noise.
@@ -56,10 +67,12 @@ public:
       return denoised;
     const double radius =
       radius_of((std::min)(most_neighbors, neighbors_per_noise * (std::max)(1., m_noise / m_spacing)));
-    const Sorted_grid grid(m_flat, radius);
-    parallel_for_places(m_execution, grid, [&](std::size_t i) {
-      const double shift = height_shift(neighborhood(grid, i, radius, 2));
-      denoised[i] += shift * m_projection.towards_scanner(m_points[i]);
+    smooth(radius, m_noise + radius, residual_width * m_noise);  // a slope of one at first
+    const double reach = guided_reach * radius, width = guided_width * m_noise;
+    for(int pass = 0; pass < guided_passes; ++pass)
+      smooth(reach, width + guided_slope * reach, width);
+    parallel_for(m_execution, denoised.size(), [&](std::size_t i) {
+      denoised[i] += (m_smoothed[i] - m_height[i]) * m_projection.towards_scanner(m_points[i]);
     });
     return denoised;
   }
@@ -75,7 +88,9 @@ private:
   /// Heights over the image around a point, which is the origin; places in units of the radius. Columns are filled up
   /// with points of no weight to a multiple of the lanes.
   struct Neighborhood {
-    std::vector<double> x, y, z;
+    std::vector<double> x, y;
+    std::vector<double> z;         ///< raw
+    std::vector<double> smoothed;  ///< by the last pass
     std::vector<double> nearness;  ///< weights by distance
     std::size_t count = 0;
   };
@@ -94,12 +109,13 @@ private:
         found.x.push_back(block.dx[k] / radius);
         found.y.push_back(block.dy[k] / radius);
         found.z.push_back(m_height[block.index[k]] - m_height[i]);
+        found.smoothed.push_back(m_smoothed[block.index[k]] - m_height[i]);
         found.nearness.push_back(nearness[k]);
       }
     });
     found.count = found.x.size();
     while(found.x.size() % Exponential::lanes != 0)
-      for(std::vector<double>* column : {&found.x, &found.y, &found.z, &found.nearness})
+      for(std::vector<double>* column : {&found.x, &found.y, &found.z, &found.smoothed, &found.nearness})
         column->push_back(0.);
     return found;
   }
@@ -110,9 +126,11 @@ private:
     return c[0] + x * (c[1] + c[3] * x + c[4] * y) + y * (c[2] + c[5] * y);
   }
 
-  /// The quadric c0 + c1 x + c2 y + c3 x^2 + c4 x y + c5 y^2 of least squares, where heights have the weight
-  /// exp(-r^2 / 2) by their residual r over another quadric, in units of `width`. Adds up the weights in `total`.
-  static Coefficients refit(const Neighborhood& near, const Coefficients& c, double width, double& total)
+  /// The quadric c0 + c1 x + c2 y + c3 x^2 + c4 x y + c5 y^2 of least squares to `heights`, where points have the
+  /// weight exp(-r^2 / 2) by the residual r of their smoothed height over another quadric, in units of `width`. Adds up
+  /// the weights in `total`.
+  static Coefficients refit(const Neighborhood& near, const std::vector<double>& heights, const Coefficients& c,
+                            double width, double& total)
   {
     // sums of w x^a y^b, a + b <= 4, by degree and then by b; the first six of them times the height
     constexpr int degree = 4, moments = 15;
@@ -122,8 +140,9 @@ private:
     for(Lanes& m : moment_height)
       m.setZero();
     for(std::size_t k = 0; k < near.x.size(); k += Exponential::lanes) {
-      const Column x(&near.x[k]), y(&near.y[k]), z(&near.z[k]), nearness(&near.nearness[k]);
-      const Lanes r = (z - height<Lanes>(c, x, y)) / width;
+      const Column x(&near.x[k]), y(&near.y[k]), z(&heights[k]), smoothed(&near.smoothed[k]),
+        nearness(&near.nearness[k]);
+      const Lanes r = (smoothed - height<Lanes>(c, x, y)) / width;
       term[0] = nearness * Exponential::of(-0.5 * r * r);
       for(int d = 1, lower = 0, next = 1; d <= degree; lower += d, ++d) {
         for(int b = 0; b < d; ++b)
@@ -176,7 +195,7 @@ private:
         return;
       double total = 0, squares = 0;
       constexpr double any = (std::numeric_limits<double>::max)();  // no residual counts less
-      const Coefficients c = refit(near, Coefficients::Zero(), any, total);
+      const Coefficients c = refit(near, near.z, Coefficients::Zero(), any, total);
       for(std::size_t j = 0; j < near.count; ++j)
         squares += std::pow(near.z[j] - height(c, near.x[j], near.y[j]), 2);
       residual[k] = std::sqrt(squares / double(near.count - coefficients));
@@ -184,23 +203,34 @@ private:
     m_noise = median(residual);
   }
 
-  /// From the point to a quadric through the heights next to its own: those beyond an edge of depth have no weight.
-  double height_shift(const Neighborhood& near) const
+  /// One pass of all points over discs of the given radius.
+  void smooth(double radius, double first_width, double width)
+  {
+    const Sorted_grid grid(m_flat, radius);
+    std::vector<double> result(m_height.size());
+    parallel_for_places(m_execution, grid, [&](std::size_t i) {
+      const Neighborhood near = neighborhood(grid, i, radius, 2);
+      result[i] = m_height[i] + smoothed_height(near, m_smoothed[i] - m_height[i], first_width, width);
+    });
+    m_smoothed.swap(result);
+  }
+
+  /// Of a quadric through the heights next to the point's own: those beyond an edge of depth have no weight. `own`, its
+  /// smoothed height, if there are too few. First around that height, and as much farther as `first_width` allows.
+  double smoothed_height(const Neighborhood& near, double own, double first_width, double width) const
   {
     if(near.count < least_neighbors)
-      return 0;
-    // first around the point's height, and as much farther as a slope of one leads
-    double width = m_noise + radius_of(double(near.count));
+      return own;
     Coefficients c = Coefficients::Zero();
+    c[0] = own;
     for(std::size_t t = 0; t < iterations; ++t) {
       double total = 0;
       const double last = c[0];
-      c = refit(near, c, width, total);
+      c = t == 0 ? refit(near, near.smoothed, c, first_width, total) : refit(near, near.z, c, width, total);
       if(total < 0.5 * coefficients || !c.allFinite())
-        return 0;
-      if(t > 0 && std::abs(c[0] - last) < settled * m_noise)
+        return own;
+      if(t > 1 && std::abs(c[0] - last) < settled * m_noise)
         break;
-      width = residual_width * m_noise;
     }
     return c[0];
   }
@@ -210,6 +240,7 @@ private:
   const Projection& m_projection;
   Points m_flat;                  ///< the image
   std::vector<double> m_height;   ///< over it
+  std::vector<double> m_smoothed;
   double m_noise = 0, m_spacing = 0;
 };
 
