@@ -5,7 +5,7 @@
 
 #include "cgal_conversion.h"
 
-#include <CGAL/Point_set_consolidation_3/internal/contraction_samples.h>
+#include <CGAL/Point_set_consolidation_3/core/curve_skeletons.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
@@ -149,7 +149,7 @@ Triangle_mesh skeleton_driven_mesh(const std::vector<Vec3>& positions, const sup
 
 std::vector<Vec3> even_samples(const Triangle_mesh& mesh, std::size_t count)
 {
-  return core::soup_samples(mesh.vertices, mesh.faces, count, 1);
+  return core::sample_triangles(mesh.vertices, mesh.faces, count, 1);
 }
 
 }  // namespace benchmark

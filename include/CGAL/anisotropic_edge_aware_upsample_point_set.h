@@ -235,7 +235,7 @@ OutputIterator anisotropic_edge_aware_upsample_point_set(
 
   Oriented_points result;
   const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
-    result = upsample_edge_aware(execution, world, normals, parameters);
+    result = upsample_at_edges(execution, world, normals, parameters);
   });
   if(!is_complete)
     return output;

@@ -74,7 +74,7 @@ namespace CGAL {
       \cgalParamDescription{whether noisy views are denoised along their rays before all else, see Section \ref
         PSC3Denoising; the paper consolidates the points as they are}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`true`; without effect if no directions or positions of the scanner are given}
+      \cgalParamDefault{`true`; without effect if the direction of the scanner is neither given nor found}
     \cgalParamNEnd
     \cgalParamNBegin{detect_outliers}
       \cgalParamDescription{whether points that belong to no surface are left out before all else: those at least 3.5

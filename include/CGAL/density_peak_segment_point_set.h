@@ -130,7 +130,7 @@ std::size_t density_peak_segment_point_set(
 
   Segmentation segmentation;
   const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
-    segmentation = segment(execution, world, normals, settings);
+    segmentation = segment_points(execution, world, normals, settings);
   });
   if(!is_complete)
     return 0;

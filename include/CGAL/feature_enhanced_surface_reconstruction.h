@@ -187,7 +187,7 @@ bool feature_enhanced_surface_reconstruction(
 
   Feature_enhanced_result result;
   const bool is_complete = run_core<ConcurrencyTag>(function, np, [&](Execution& execution) {
-    result = reconstruct_with_features(execution, world, normals, given, settings);
+    result = reconstruct_feature_enhanced(execution, world, normals, given, settings);
   });
   if(!is_complete)
     return false;
@@ -221,9 +221,9 @@ bool feature_enhanced_surface_reconstruction(
   \param output receives the missing points.
   \param trusts_all whether all vertices count, for skeletons edited by hand.
   \param named_parameters an optional sequence of named parameters: `point_map`, `normal_map` (outward; without it
-  normals are estimated), `geom_traits`.
+  normals are estimated), `callback` and `stage_times` as in `feature_enhanced_surface_reconstruction()`, `geom_traits`.
 
-  \return `output` past the last point.
+  \return `output` past the last point; nothing is written if the callback stops the call.
   \throws std::invalid_argument if there are too few points, a coordinate is not finite, most points
   coincide, a vertex of the skeleton has an index that is not one of the points, or the skeleton is so long and
   thick that it would take more than ten million points.

@@ -65,6 +65,11 @@ namespace CGAL {
       \cgalParamType{an instance of `std::function<bool(double)>`}
       \cgalParamDefault{unused}
     \cgalParamNEnd
+    \cgalParamNBegin{stage_times}
+      \cgalParamDescription{receives name, seconds and iterations of each stage}
+      \cgalParamType{`std::reference_wrapper` of a `std::vector<Point_set_consolidation_3::Stage_time>`}
+      \cgalParamDefault{unused}
+    \cgalParamNEnd
     \cgalParamNBegin{geom_traits}
       \cgalParamDescription{an instance of a geometric traits class}
       \cgalParamType{a model of `Kernel`}

@@ -9,8 +9,8 @@
 #define CGAL_SKELETON_DRIVEN_SURFACE_RECONSTRUCTION_H
 
 #include <CGAL/Curve_skeleton_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 #include <CGAL/Point_set_consolidation_3/core/curve_skeletons.h>
+#include <CGAL/Point_set_consolidation_3/internal/write_back.h>
 #include <CGAL/Point_set_consolidation_3/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -151,8 +151,6 @@ bool skeleton_driven_surface_reconstruction(
   p.resolution = parameter_or(cgal, names::grid_resolution, p.resolution);
   require(p.resolution >= 8 && p.resolution <= 1024, f, "grid_resolution must be in [8, 1024]");
   p.adaptive = parameter_or(cgal, names::adaptive, p.adaptive);
-
-  require(bounding_box(positions).sides().maxCoeff() > 0, f, "all points are equal");
 
   Surface_triangles surface;
   const bool is_complete = run_core<ConcurrencyTag>(f, cgal, [&](Execution& execution) {

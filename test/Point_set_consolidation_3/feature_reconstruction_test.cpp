@@ -8,6 +8,7 @@
 
 #include "random_numbers.h"
 
+#include <CGAL/Point_set_consolidation_3/core/feature_enhanced.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_reconstruction.h>
 
 #include <algorithm>

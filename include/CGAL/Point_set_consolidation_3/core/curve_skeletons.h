@@ -41,6 +41,8 @@ std::size_t edit(Skeleton_graph& graph, const Skeleton_edit& edit);
 void edit(Skeleton_graph& graph, std::istream& edits);
 
 void write_ply(std::ostream& out, const Skeleton_graph& graph);
+/// CGAL's text format: a line per polyline, the number of points, then their coordinates. An isolated node is
+/// a polyline of one point.
 void write_polylines(std::ostream& out, const Skeleton_graph& graph);
 /// Throws `std::runtime_error` if the file is no skeleton.
 Skeleton_graph read_skeleton(std::istream& in);
@@ -76,7 +78,8 @@ private:
   std::unique_ptr<Laplacian_skeletonization> m;
 };
 
-/// Points spread over triangles.
+/// Points spread evenly over the triangles of a soup: random points, many more than wanted, of which distant ones are
+/// kept.
 Points sample_triangles(const Points& vertices, const std::vector<std::array<std::size_t, 3> >& triangles,
                         std::size_t count, std::uint64_t seed);
 
@@ -85,7 +88,8 @@ Skeleton_graph extract_l1_skeleton(Execution& execution, const Points& points,
                                    const std::vector<std::size_t>& labels, std::size_t segments,
                                    const L1_medial_parameters& parameters);
 
-/// Section V of the Laplacian contraction paper; no triangles: no surface.
+/// Section V of the Laplacian contraction paper; no triangles: no surface. Throws `Unusable_input` if all points are
+/// equal.
 Surface_triangles reconstruct_around_skeleton(Execution& execution, const Points& points,
                                               const Skeleton_graph& skeleton, const Field_parameters& parameters);
 

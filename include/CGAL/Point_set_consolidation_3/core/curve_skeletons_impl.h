@@ -13,9 +13,12 @@
 #include <CGAL/Point_set_consolidation_3/internal/l1_medial.h>
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_edits.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_io.h>
+#include <CGAL/Point_set_consolidation_3/internal/ply_skeleton_reader.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_surface.h>
 
+#include <limits>
+#include <ostream>
+#include <random>
 #include <utility>
 
 namespace CGAL {
@@ -54,12 +57,37 @@ void edit(Skeleton_graph& graph, std::istream& edits)
 }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
-void write_ply(std::ostream& out, const Skeleton_graph& graph) { write_skeleton_ply(out, graph); }
+void write_ply(std::ostream& out, const Skeleton_graph& graph)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "ply\nformat ascii 1.0\nelement vertex " << graph.nodes.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double radius\n"
+      << "element edge " << graph.edges.size()
+      << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  for(const Skeleton_node& node : graph.nodes)
+    out << node.position.x() << ' ' << node.position.y() << ' ' << node.position.z() << ' '
+        << node.radius << '\n';
+  for(const Skeleton_edge& e : graph.edges)
+    out << e[0] << ' ' << e[1] << '\n';
+}
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
 void write_polylines(std::ostream& out, const Skeleton_graph& graph)
 {
-  write_skeleton_polylines(out, graph);
+  out.precision(std::numeric_limits<double>::max_digits10);
+  std::vector<std::vector<std::size_t> > chains = polylines_of(graph);
+  const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
+  for(std::size_t i = 0; i < neighbors.size(); ++i)
+    if(neighbors[i].empty())
+      chains.push_back({i});
+  for(const std::vector<std::size_t>& chain : chains) {
+    out << chain.size();
+    for(const std::size_t i : chain) {
+      const Vec3& p = graph.nodes[i].position;
+      out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
+    }
+    out << '\n';
+  }
 }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
@@ -121,7 +149,35 @@ CGAL_POINT_SET_CONSOLIDATION_3_INLINE
 Points sample_triangles(const Points& vertices, const std::vector<std::array<std::size_t, 3> >& triangles,
                         std::size_t count, std::uint64_t seed)
 {
-  return soup_samples(vertices, triangles, count, seed);
+  constexpr std::size_t surplus = 6;
+  std::vector<double> area_up_to;
+  double area = 0;
+  for(const std::array<std::size_t, 3>& t : triangles) {
+    area += (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]).norm();
+    area_up_to.push_back(area);
+  }
+  Points candidates;
+  if(!(area > 0))
+    return candidates;
+  std::mt19937_64 generator(seed);
+  const auto uniform = [&] { return double(generator() >> 11) / 9007199254740992.; };  // 2^53
+  for(std::size_t i = 0; i < surplus * count; ++i) {
+    const double where = uniform() * area;
+    const std::size_t k = std::size_t(
+      std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, where) - area_up_to.begin());
+    double u = uniform(), v = uniform();
+    if(u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const std::array<std::size_t, 3>& t = triangles[k];
+    candidates.push_back(vertices[t[0]] + u * (vertices[t[1]] - vertices[t[0]]) +
+                         v * (vertices[t[2]] - vertices[t[0]]));
+  }
+  Points samples;
+  for(const std::size_t i : spread_points(candidates, count))
+    samples.push_back(candidates[i]);
+  return samples;
 }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
@@ -142,6 +198,8 @@ Surface_triangles reconstruct_around_skeleton(Execution& execution, const Points
   Frame frame;
   frame.origin = box.centre();
   frame.unit = box.sides().maxCoeff();
+  if(!(frame.unit > 0))
+    throw Unusable_input("all points are equal");
   Surface_triangles surface = reconstruct_from_skeleton(execution, frame.to_local(points), Points(),
                                                         to_local(skeleton, frame), {}, parameters);
   surface.vertices = frame.to_world(std::move(surface.vertices));

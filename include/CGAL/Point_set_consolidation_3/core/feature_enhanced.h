@@ -27,19 +27,19 @@ Oriented_points simplify_anisotropically(Execution& execution, const Points& poi
                                          const Projection_settings& settings);
 
 /// The result begins with the given points.
-Oriented_points upsample_edge_aware(Execution& execution, const Points& points, const Points& normals,
-                                    const Edge_aware_parameters& parameters);
+Oriented_points upsample_at_edges(Execution& execution, const Points& points, const Points& normals,
+                                  const Edge_aware_parameters& parameters);
 
-Segmentation segment(Execution& execution, const Points& points, const Points& normals,
-                     const Segmentation_settings& settings);
+Segmentation segment_points(Execution& execution, const Points& points, const Points& normals,
+                            const Segmentation_settings& settings);
 
 /// `skeleton` may be empty.
-Feature_enhanced_result reconstruct_with_features(Execution& execution, const Points& points, const Points& normals,
-                                                  const Skeleton_graph& skeleton,
-                                                  const Feature_enhanced_settings& settings);
+Feature_enhanced_result reconstruct_feature_enhanced(Execution& execution, const Points& points, const Points& normals,
+                                                     const Skeleton_graph& skeleton,
+                                                     const Feature_enhanced_settings& settings);
 
 /// What is added along the skeleton.
-Oriented_points complete_along(const Execution& execution, const Points& points, const Points& normals,
+Oriented_points complete_along(Execution& execution, const Points& points, const Points& normals,
                                const Skeleton_graph& skeleton, bool trusts_all);
 
 }  // namespace internal

@@ -12,9 +12,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
-#include <array>
-#include <random>
-
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -107,43 +104,6 @@ inline Contraction_samples contraction_samples(const Execution& execution, const
   const Nearest_neighbors tree(samples.points);
   parallel_for(execution, points.size(),
                [&](std::size_t i) { samples.sample_of[i] = tree.nearest(points[i]).index; });
-  return samples;
-}
-
-/// Points spread evenly over the triangles of a soup: random points, many more than wanted, of which
-/// distant ones are kept.
-inline Points soup_samples(const Points& vertices,
-                           const std::vector<std::array<std::size_t, 3> >& triangles,
-                           std::size_t count, std::uint64_t seed)
-{
-  constexpr std::size_t surplus = 6;
-  std::vector<double> area_up_to;
-  double area = 0;
-  for(const std::array<std::size_t, 3>& t : triangles) {
-    area += (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]).norm();
-    area_up_to.push_back(area);
-  }
-  Points candidates;
-  if(!(area > 0))
-    return candidates;
-  std::mt19937_64 generator(seed);
-  const auto uniform = [&] { return double(generator() >> 11) / 9007199254740992.; };  // 2^53
-  for(std::size_t i = 0; i < surplus * count; ++i) {
-    const double where = uniform() * area;
-    const std::size_t k = std::size_t(
-      std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, where) - area_up_to.begin());
-    double u = uniform(), v = uniform();
-    if(u + v > 1) {
-      u = 1 - u;
-      v = 1 - v;
-    }
-    const std::array<std::size_t, 3>& t = triangles[k];
-    candidates.push_back(vertices[t[0]] + u * (vertices[t[1]] - vertices[t[0]]) +
-                         v * (vertices[t[2]] - vertices[t[0]]));
-  }
-  Points samples;
-  for(const std::size_t i : spread_points(candidates, count))
-    samples.push_back(candidates[i]);
   return samples;
 }
 

@@ -99,125 +99,147 @@ inline double share_of_weight(double noise)
   return 1 / (1 + noise * noise / (field_noise * field_noise));
 }
 
-/// The whole 2018 pipeline on the caller's points; `given` may be empty (then the skeleton is extracted).
-inline Feature_enhanced_result
-reconstruct_feature_enhanced(Execution& execution, const Points& world, Points normals,
-                             const Skeleton_graph& given, const Feature_enhanced_settings& settings)
-{
-  constexpr double confirmed_enough = 0.6;  // of a segment's length, to complete it automatically
-  Feature_enhanced_result result;
-  Frame frame;
-  Points points;
-  {
-    Stage stage(execution, "features", 0.2);
-    frame = data_frame(execution, world, world.size());
-    require_spacing(frame);
-    points = frame.to_local(world);
-    if(normals.empty())
-      normals = estimated_normals(execution, points);
-    stage.update(0.3);
-    if(settings.enhances) {
-      Feature_parameters features;
-      features.oriented = true;
-      features.sharpness_angle = settings.sharpness_angle;
-      enhance_features(execution, points, normals, features);
-    }
-  }
+/// The whole pipeline. `given` may be empty (then the skeleton is extracted).
+class Feature_enhanced_reconstruction {
+  static constexpr double confirmed_enough = 0.6;  ///< of a segment's length, to complete it automatically
+  static constexpr double doubtful_depth = 1;      ///< cells, of handles that an extracted skeleton does not have
+
+public:
+  Feature_enhanced_reconstruction(Execution& execution, const Points& world, const Points& normals,
+                                  const Skeleton_graph& given, const Feature_enhanced_settings& settings)
+    : m_execution(execution), m_settings(settings), m_has_skeleton(!given.nodes.empty())
+    , m_input(enhanced_input(execution, 0.2, world, normals, settings.enhances, settings.sharpness_angle))
   {
     Stage stage(execution, "skeleton", 0.15);
-    if(!given.nodes.empty()) {
-      result.skeleton = to_local(given, frame);
-      Points nodes;
-      for(Skeleton_node& node : result.skeleton.nodes) {
-        nodes.push_back(node.position);
-        node.points.clear();
-      }
-      const Nearest_neighbors tree(nodes);
-      for(std::size_t i = 0; i < points.size(); ++i)
-        result.skeleton.nodes[tree.nearest(points[i]).index].points.push_back(i);
-      complete_radii(result.skeleton, points);
-    }
-    else {
-      Laplacian_skeleton_parameters parameters;
-      parameters.most_samples = 5000;
-      Execution silent = {execution.parallel, Progress(), {}};
-      Laplacian_skeletonization skeletonization(silent, points, normals, Points(), parameters);
-      skeletonization.contract_until_convergence();
-      stage.update(0.8);
-      skeletonization.thin();
-      skeletonization.recentre();
-      skeletonization.extend_tips();
-      result.skeleton = skeletonization.skeleton();
-    }
-  }
-  if(settings.segmentation.method == Segmentation_method::SKELETON)
-    result.segmentation =
-      Skeleton_segmentation(result.skeleton, points.size(), settings.segmentation.skeleton)
-        .run(points);
-  else {
-    Segmentation_settings local = settings.segmentation;
-    local.radius /= frame.unit;
-    result.segmentation = segment_points(execution, 0.05, points, normals, local);
+    if(m_has_skeleton)
+      use_skeleton(to_local(given, m_input.frame));
+    else
+      extract_skeleton(stage);
   }
 
-  Oriented_points& fused = result.fused;
-  fused.points = points;
-  fused.normals = normals;
-  if(settings.upsampling_factor > 1) {
+  Feature_enhanced_result run()
+  {
+    segment();
+    upsample();
+    choose_parts();
+    complete();
+    fuse();
+    m_result.fused.points = m_input.frame.to_world(std::move(m_result.fused.points));
+    m_result.skeleton = to_world(std::move(m_result.skeleton), m_input.frame);
+    return std::move(m_result);
+  }
+
+private:
+  void use_skeleton(Skeleton_graph graph)
+  {
+    Points nodes;
+    for(Skeleton_node& node : graph.nodes) {
+      nodes.push_back(node.position);
+      node.points.clear();
+    }
+    const Nearest_neighbors tree(nodes);
+    for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      graph.nodes[tree.nearest(m_input.points[i]).index].points.push_back(i);
+    complete_radii(graph, m_input.points);
+    m_result.skeleton = std::move(graph);
+  }
+
+  void extract_skeleton(Stage& stage)
+  {
+    Laplacian_skeleton_parameters parameters;
+    parameters.most_samples = 5000;
+    Execution silent = {m_execution.parallel, Progress(), {}};
+    Laplacian_skeletonization skeletonization(silent, m_input.points, m_input.normals, Points(), parameters);
+    skeletonization.contract_until_convergence();
+    stage.update(0.8);
+    skeletonization.thin();
+    skeletonization.recentre();
+    skeletonization.extend_tips();
+    m_result.skeleton = skeletonization.skeleton();
+  }
+
+  void segment()
+  {
+    Segmentation_settings settings = m_settings.segmentation;
+    if(settings.method == Segmentation_method::SKELETON) {
+      m_result.segmentation =
+        Skeleton_segmentation(m_result.skeleton, m_input.points.size(), settings.skeleton).run(m_input.points);
+      return;
+    }
+    settings.radius /= m_input.frame.unit;
+    m_result.segmentation = segment_points(m_execution, 0.05, m_input.points, m_input.normals, settings);
+  }
+
+  void upsample()
+  {
+    m_result.fused = {m_input.points, m_input.normals};
+    if(!(m_settings.upsampling_factor > 1))
+      return;
     Edge_aware_parameters upsampling;
     upsampling.oriented = true;
-    upsampling.sharpness_angle = settings.sharpness_angle;
-    upsampling.number_of_points = std::size_t(settings.upsampling_factor * double(points.size()));
+    upsampling.sharpness_angle = m_settings.sharpness_angle;
+    upsampling.number_of_points = std::size_t(m_settings.upsampling_factor * double(m_input.points.size()));
     upsampling.neighbor_radius = 0;
     upsampling.plane_width = 0;
-    fused = upsample_at_edges(execution, 0.1, points, normals, upsampling);
+    m_result.fused = upsample_at_edges(m_execution, 0.1, m_input.points, m_input.normals, upsampling);
   }
 
-  // parts: which are completed along the skeleton
-  const std::vector<std::size_t> segment = segments_of_edges(result.skeleton, result.segmentation);
-  const std::vector<double> confirmed =
-    confirmed_shares(result.skeleton, points, segment, result.segmentation.count);
-  const std::vector<char> is_gap = gap_edges(result.skeleton, points, normals);
-  std::vector<char> is_wanted, is_constraint;
-  for(std::size_t e = 0; e < segment.size(); ++e) {
-    const std::size_t s = segment[e];
-    const Part_method method =
-      s < settings.methods.size() ? settings.methods[s] : Part_method::AUTOMATIC;
-    is_wanted.push_back(method == Part_method::SKELETON ||
-                        (method == Part_method::AUTOMATIC && !given.nodes.empty() &&
-                         (is_gap[e] || confirmed[s] >= confirmed_enough)));
-    // an extracted skeleton has wrong centres and radii beside missing data, where normals know better
-    is_constraint.push_back(method == Part_method::SKELETON ||
-                            (method == Part_method::AUTOMATIC && !given.nodes.empty()));
+  /// Edges along which the surface is completed, and those that constrain it.
+  void choose_parts()
+  {
+    const Skeleton_graph& graph = m_result.skeleton;
+    const std::vector<std::size_t> segment = segments_of_edges(graph, m_result.segmentation);
+    const std::vector<double> confirmed =
+      confirmed_shares(graph, m_input.points, segment, m_result.segmentation.count);
+    const std::vector<char> is_gap = gap_edges(graph, m_input.points, m_input.normals);
+    for(std::size_t e = 0; e < segment.size(); ++e) {
+      const std::size_t s = segment[e];
+      const Part_method method = s < m_settings.methods.size() ? m_settings.methods[s] : Part_method::AUTOMATIC;
+      // an extracted skeleton has wrong centres and radii beside missing data, where normals know better
+      const bool is_trusted =
+        method == Part_method::SKELETON || (method == Part_method::AUTOMATIC && m_has_skeleton);
+      m_is_constraint.push_back(is_trusted);
+      m_is_wanted.push_back(method == Part_method::SKELETON ||
+                            (is_trusted && (is_gap[e] || confirmed[s] >= confirmed_enough)));
+    }
   }
-  const Skeleton_completion completion(points, normals, 1, result.skeleton);
-  const Skeleton_completed_points completed = completion.run(is_wanted, !given.nodes.empty());
-  fused.points.insert(fused.points.end(), completed.points.begin(), completed.points.end());
-  fused.normals.insert(fused.normals.end(), completed.normals.begin(), completed.normals.end());
 
-  // parts are fused in one field: fields of parts close themselves at the cuts
-  const Bounding_box box = bounding_box(fused.points);
-  Frame field_frame;
-  field_frame.origin = box.centre();
-  field_frame.unit = box.sides().maxCoeff();
-  // A skeleton that is given has the right handles; where an extracted one has too few, those that are far from
-  // being closed stay.
-  constexpr double doubtful_depth = 1;  // cells
-  Field_parameters field = settings.field;
-  field.removed_handles =
-    given.nodes.empty() ? doubtful_depth : std::numeric_limits<double>::max();
-  const double cell = field_frame.unit / double(field.resolution);
-  field.surface_weight *= share_of_weight(measured_noise(execution, points) / cell);
-  result.surface =
-    reconstruct_from_skeleton(execution, field_frame.to_local(fused.points), fused.normals,
-                              to_local(result.skeleton, field_frame), is_constraint,
-                              field);
-  for(Vec3& v : result.surface.vertices)
-    v = frame.to_world(field_frame.to_world(v));
-  fused.points = frame.to_world(std::move(fused.points));
-  result.skeleton = to_world(std::move(result.skeleton), frame);
-  return result;
-}
+  void complete()
+  {
+    const Skeleton_completed_points completed =
+      Skeleton_completion(m_input.points, m_input.normals, 1, m_result.skeleton).run(m_is_wanted, m_has_skeleton);
+    Oriented_points& fused = m_result.fused;
+    fused.points.insert(fused.points.end(), completed.points.begin(), completed.points.end());
+    fused.normals.insert(fused.normals.end(), completed.normals.begin(), completed.normals.end());
+  }
+
+  /// One field for all parts: fields of parts close themselves at the cuts.
+  void fuse()
+  {
+    const Bounding_box box = bounding_box(m_result.fused.points);
+    Frame frame;
+    frame.origin = box.centre();
+    frame.unit = box.sides().maxCoeff();
+    Field_parameters field = m_settings.field;
+    // A skeleton that is given has the right handles; where an extracted one has too few, those that are far from
+    // being closed stay.
+    field.removed_handles = m_has_skeleton ? std::numeric_limits<double>::max() : doubtful_depth;
+    const double cell = frame.unit / double(field.resolution);
+    field.surface_weight *= share_of_weight(measured_noise(m_execution, m_input.points) / cell);
+    m_result.surface =
+      reconstruct_from_skeleton(m_execution, frame.to_local(m_result.fused.points), m_result.fused.normals,
+                                to_local(m_result.skeleton, frame), m_is_constraint, field);
+    for(Vec3& v : m_result.surface.vertices)
+      v = m_input.frame.to_world(frame.to_world(v));
+  }
+
+  Execution& m_execution;
+  const Feature_enhanced_settings& m_settings;
+  bool m_has_skeleton;
+  Feature_input m_input;
+  Feature_enhanced_result m_result;   ///< in the frame of the input until the end
+  std::vector<char> m_is_wanted, m_is_constraint;
+};
 
 }  // namespace internal
 }  // namespace Point_set_consolidation_3

@@ -66,21 +66,6 @@ struct Indexed_normal_map {
   }
 };
 
-/// Calls `work` with CGAL's tag for the way this runs.
-template <typename Work>
-void with_concurrency_tag(const Execution& execution, const Work& work)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if(execution.parallel) {
-    work(Parallel_tag());
-    return;
-  }
-#else
-  (void)execution;
-#endif
-  work(Sequential_tag());
-}
-
 /// CGAL's WLOP with the neighbourhood that measured best: twice the spacing of the output. (Its own
 /// default, eight spacings of the input, depends on the share that is kept.) Works on indices:
 /// CGAL shuffles the range it is given, and this is where most memory is in use.

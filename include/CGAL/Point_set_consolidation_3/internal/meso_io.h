@@ -9,7 +9,9 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_IO_H
 
 #include <CGAL/Point_set_consolidation_3/internal/meso_graph.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_io.h>
+
+#include <limits>
+#include <ostream>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {

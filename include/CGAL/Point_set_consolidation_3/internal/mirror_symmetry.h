@@ -58,7 +58,8 @@ class Mirror_symmetry {
   static constexpr double unmatched_cost = 0.3;         ///< of an image that faces the scanner
   static constexpr double least_cosine = 0.3;           ///< to face it
   static constexpr double least_moved = 0.5;            ///< share of all
-  static constexpr double least_matched = 0.08;         ///< share of the moved ones
+  static constexpr double least_matched = 0.05;         ///< share of the moved ones; of noisy legs 0.07, by wrong
+                                                        ///< planes that do not enter free space 0.02 at most
   static constexpr double least_agreement = 0.8;        ///< share of those that must match or are hidden
   static constexpr double most_free = 0.05;             ///< by those matched; mirror planes 0.002, nearly symmetric
                                                         ///< shapes 0.08 to 0.25, wrong planes 0.14 and more

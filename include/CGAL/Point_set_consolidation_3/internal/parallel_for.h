@@ -133,6 +133,21 @@ void run_observed(Stage& stage, const Execution& execution, const Work& work)
     std::rethrow_exception(work_error);
 }
 
+/// Calls `work` with CGAL's tag for the way this runs.
+template <typename Work>
+void with_concurrency_tag(const Execution& execution, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution.parallel) {
+    work(Parallel_tag());
+    return;
+  }
+#else
+  (void)execution;
+#endif
+  work(Sequential_tag());
+}
+
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL

@@ -48,16 +48,30 @@ Input_parameters read_input_parameters(const char* function, const NP& np, std::
   return input;
 }
 
+/// sigma_p: static neighbourhoods on the surface.
+template <typename NP>
+double read_smoothing_radius(const char* function, const NP& np)
+{
+  const double radius = positive(function, np, internal_np::smoothing_radius, "smoothing_radius", 5);
+  require(radius <= 50, function, "smoothing_radius must be at most 50");
+  return radius;
+}
+
+/// sigma_q: dynamic neighbourhoods of inner points.
+template <typename NP>
+double read_collision_radius(const char* function, const NP& np)
+{
+  const double radius = positive(function, np, internal_np::collision_radius, "collision_radius", 2);
+  require(radius <= 50, function, "collision_radius must be at most 50");
+  return radius;
+}
+
 template <typename NP>
 Sinking_parameters read_sinking_parameters(const char* function, const NP& np)
 {
   Sinking_parameters sinking;
-  sinking.smoothing_radius =
-    positive(function, np, internal_np::smoothing_radius, "smoothing_radius", 5);
-  sinking.collision_radius =
-    positive(function, np, internal_np::collision_radius, "collision_radius", 2);
-  require((std::max)(sinking.smoothing_radius, sinking.collision_radius) <= 50, function,
-          "smoothing_radius and collision_radius must be at most 50");
+  sinking.smoothing_radius = read_smoothing_radius(function, np);
+  sinking.collision_radius = read_collision_radius(function, np);
   const double omega = positive(function, np, internal_np::collision_angle, "collision_angle", 45);
   require(omega <= 170, function, "collision_angle must be at most 170 degrees");
   sinking.collision_angle = omega * CGAL_PI / 180;
@@ -69,8 +83,7 @@ template <typename NP>
 Meso_skeleton_parameters read_skeleton_parameters(const char* function, const NP& np)
 {
   Meso_skeleton_parameters skeleton;
-  skeleton.collision_radius =
-    positive(function, np, internal_np::collision_radius, "collision_radius", 2);
+  skeleton.collision_radius = read_collision_radius(function, np);
   skeleton.repulsion =
     not_negative(function, np, internal_np::skeleton_repulsion, "skeleton_repulsion", 0.4);
   skeleton.epsilon = positive(function, np, internal_np::axis_epsilon, "axis_epsilon", 0.1);
@@ -84,8 +97,7 @@ template <typename NP>
 Surface_parameters read_surface_parameters(const char* function, const NP& np)
 {
   Surface_parameters surface;
-  surface.smoothing_radius =
-    positive(function, np, internal_np::smoothing_radius, "smoothing_radius", 5);
+  surface.smoothing_radius = read_smoothing_radius(function, np);
   surface.repulsion =
     not_negative(function, np, internal_np::surface_repulsion, "surface_repulsion", 0.4);
   surface.data_term = parameter_or(np, internal_np::data_term, Data_term::FULL);

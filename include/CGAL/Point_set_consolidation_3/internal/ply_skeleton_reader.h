@@ -5,14 +5,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_IO_H
-#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_IO_H
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLY_SKELETON_READER_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLY_SKELETON_READER_H
 
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <cstring>
 #include <istream>
-#include <limits>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -22,8 +21,8 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Skeletons in PLY files: vertices `x y z radius`, `element edge` with `vertex1 vertex2`. Read: ASCII and
-/// binary, with any further elements and properties; written: ASCII.
+/// Skeletons in PLY files: vertices `x y z radius`, `element edge` with `vertex1 vertex2`. ASCII and binary, with any
+/// further elements and properties.
 
 struct Ply_property {
   std::string name;
@@ -205,42 +204,8 @@ private:
   std::vector<Ply_element> m_elements;
 };
 
-inline void write_skeleton_ply(std::ostream& out, const Skeleton_graph& graph)
-{
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << "ply\nformat ascii 1.0\nelement vertex " << graph.nodes.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double radius\n"
-      << "element edge " << graph.edges.size()
-      << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  for(const Skeleton_node& node : graph.nodes)
-    out << node.position.x() << ' ' << node.position.y() << ' ' << node.position.z() << ' '
-        << node.radius << '\n';
-  for(const Skeleton_edge& e : graph.edges)
-    out << e[0] << ' ' << e[1] << '\n';
-}
-
-/// CGAL's text format: a line per polyline, the number of points, then their coordinates. An isolated node is
-/// a polyline of one point.
-inline void write_skeleton_polylines(std::ostream& out, const Skeleton_graph& graph)
-{
-  out.precision(std::numeric_limits<double>::max_digits10);
-  std::vector<std::vector<std::size_t> > chains = polylines_of(graph);
-  const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
-  for(std::size_t i = 0; i < neighbors.size(); ++i)
-    if(neighbors[i].empty())
-      chains.push_back({i});
-  for(const std::vector<std::size_t>& chain : chains) {
-    out << chain.size();
-    for(const std::size_t i : chain) {
-      const Vec3& p = graph.nodes[i].position;
-      out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
-    }
-    out << '\n';
-  }
-}
-
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL
 
-#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_IO_H
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLY_SKELETON_READER_H
