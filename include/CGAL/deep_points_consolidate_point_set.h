@@ -80,7 +80,7 @@ namespace CGAL {
       \cgalParamDescription{whether points that belong to no surface are left out before all else: those at least 3.5
         times as far from their neighbours as usual, or 2.5 times as far as the points around them are from theirs,
         that do not lie on the plane of these. If they are less than 0.5 % of all, only those twelve times as far; if
-        they are more than 25 %, none}
+        they are more than 25 %, none. Noisy views are searched once more when they are denoised}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`}
       \cgalParamExtra{Constrained points are no outliers, and sets of less than 100 points have none.}

@@ -221,61 +221,87 @@ inline void orient_particles(Execution& execution, double share, const Points& h
   }
 }
 
-/// A scan without outliers. Noise along rays goes before all else; where these were found, particles are made anew.
+/// Points that belong to no surface, but none in a frozen region. `are_known`: others were found before.
+inline std::vector<std::size_t> outliers_of(const Execution& execution, const Points& points,
+                                            const std::vector<char>& is_frozen, bool are_known)
+{
+  const std::vector<char> is_isolated = Isolated_points(execution, points).run(are_known);
+  std::vector<std::size_t> outliers;
+  for(std::size_t i = 0; i < is_isolated.size(); ++i)
+    if(is_isolated[i] && (is_frozen.empty() || !is_frozen[i]))
+      outliers.push_back(i);
+  return outliers;
+}
+
+/// Those of [0, n) that are no outliers.
+inline std::vector<Index> others(const std::vector<std::size_t>& outliers, std::size_t n)
+{
+  std::vector<Index> kept;
+  kept.reserve(n - outliers.size());
+  for(std::size_t i = 0, next = 0; i < n; ++i)
+    if(next < outliers.size() && outliers[next] == i)
+      ++next;
+    else
+      kept.push_back(Index(i));
+  return kept;
+}
+
+/// Of a scan whose outliers were left out, if it had any. Noise along rays goes before all else; where it went, the
+/// outliers that it had hidden stand out and are left out as well; where the rays were found, particles are made anew.
 inline Consolidated_input consolidate_data(Execution& execution, double share, const Raw_scan& scan,
-                                           const Input_parameters& parameters)
+                                           bool had_outliers, const Input_parameters& parameters)
 {
   const Frame frame = data_frame(execution, scan.points, number_of_particles(parameters, scan.points.size()));
   if(!(frame.unit > 0))
     throw Unusable_input("more than half of the points coincide: no spacing to work with");
   Consolidated_input input;
-  input.gaps = scan.gaps;
   input.frame = frame;
-  input.data.reserve(scan.points.size());
-  for(const Vec3& p : scan.points)
-    input.data.push_back(frame.to_local(p));
+  input.data = frame.to_local(scan.points);
+  Raw_scan rest;  // without the outliers that are found here
+  const Raw_scan* known = &scan;
   const auto denoise = [&](const Scan_directions& directions) {
     if(!parameters.denoise_along_rays || directions.empty())
       return;
     Stage stage(execution, "denoising", 0.05 * share);
     input.is_denoised = denoise_along_rays(execution, directions, input.data);
+    if(!input.is_denoised || !parameters.detect_outliers)
+      return;
+    input.outliers = outliers_of(execution, input.data, known->gaps.is_frozen, had_outliers);
+    if(input.outliers.empty())
+      return;
+    const std::vector<Index> kept = others(input.outliers, input.data.size());
+    rest = part_of(scan, kept);
+    known = &rest;
+    input.data = selected(input.data, kept);
   };
   const auto make_particles = [&](double part) {
     project_particles(execution, 0.9 * part, parameters, input);
-    if(!scan.directions.empty()) {
-      input.directions = scan.directions;  // not before, for the sake of memory
+    if(!known->directions.empty()) {
+      input.directions = known->directions;  // not before, for the sake of memory
       for(Vec3& p : input.directions.missed)
         p = input.frame.to_local(p);
     }
-    orient_particles(execution, 0.1 * part, scan.hints, parameters, input);
+    orient_particles(execution, 0.1 * part, known->hints, parameters, input);
   };
   if(!scan.directions.empty()) {
     denoise(scan.directions);
     make_particles(0.9 * share);
-    return input;
   }
-  make_particles(0.5 * share);
-  denoise(input.directions);
-  if(input.is_denoised) {
-    const double r = input.frame.unit / frame.unit;
-    for(Vec3& p : input.data)
-      p *= r;
-    input.frame = frame;
-    input.seen = Seen_part();
-    make_particles(0.4 * share);
+  else {
+    make_particles(0.5 * share);
+    denoise(input.directions);
+    if(input.is_denoised) {
+      const double r = input.frame.unit / frame.unit;
+      for(Vec3& p : input.data)
+        p *= r;
+      input.frame = frame;
+      input.seen = Seen_part();
+      input.directions = Scan_directions();
+      make_particles(0.4 * share);
+    }
   }
+  input.gaps = known->gaps;
   return input;
-}
-
-/// Points that belong to no surface, but none in a frozen region.
-inline std::vector<std::size_t> outliers_of(const Execution& execution, const Raw_scan& scan)
-{
-  const std::vector<char> is_isolated = Isolated_points(execution, scan.points).run();
-  std::vector<std::size_t> outliers;
-  for(std::size_t i = 0; i < is_isolated.size(); ++i)
-    if(is_isolated[i] && (scan.gaps.is_frozen.empty() || !scan.gaps.is_frozen[i]))
-      outliers.push_back(i);
-  return outliers;
 }
 
 /// Leaves the outliers out.
@@ -285,24 +311,25 @@ inline Consolidated_input consolidate_input(Execution& execution, double share, 
   std::vector<std::size_t> outliers;
   if(parameters.detect_outliers) {
     Stage stage(execution, "outliers", 0.02 * share);
-    outliers = outliers_of(execution, scan);
+    outliers = outliers_of(execution, scan.points, scan.gaps.is_frozen, false);
   }
-  if(outliers.empty())
-    return consolidate_data(execution, share, scan, parameters);
-  std::vector<Index> kept;
-  for(std::size_t i = 0, next = 0; i < scan.points.size(); ++i)
-    if(next < outliers.size() && outliers[next] == i)
-      ++next;
-    else
-      kept.push_back(Index(i));
-  const Raw_scan data = part_of(scan, kept);
-  Consolidated_input input = consolidate_data(execution, share, data, parameters);
-  input.place.resize(scan.points.size());
-  for(std::size_t k = 0; k < kept.size(); ++k)
-    input.place[kept[k]] = Index(k);
-  const Nearest_neighbors tree(data.points);
-  for(const std::size_t i : outliers)
-    input.place[i] = tree.nearest(scan.points[i]).index;
+  const std::size_t n = scan.points.size();
+  const std::vector<Index> first = others(outliers, n);
+  Consolidated_input input =
+    outliers.empty() ? consolidate_data(execution, share, scan, false, parameters)
+                     : consolidate_data(execution, share, part_of(scan, first), true, parameters);
+  for(const std::size_t k : input.outliers)
+    outliers.push_back(first[k]);
+  std::sort(outliers.begin(), outliers.end());
+  if(!outliers.empty()) {
+    const std::vector<Index> kept = others(outliers, n);
+    input.place.resize(n);
+    for(std::size_t k = 0; k < kept.size(); ++k)
+      input.place[kept[k]] = Index(k);
+    const Nearest_neighbors tree(selected(scan.points, kept));
+    for(const std::size_t i : outliers)
+      input.place[i] = tree.nearest(scan.points[i]).index;
+  }
   input.outliers = std::move(outliers);
   return input;
 }

@@ -26,7 +26,7 @@ namespace internal {
 /// So the first result guides the next: which heights belong to a surface is decided by the smoothed ones, what its
 /// height is by the raw ones (rolling guidance, Zhang et al., ECCV 2014, here with quadrics). Three views of 14
 /// models, error of meshes relative to that of the raw scan without and with it: 0.38 and 0.30 at 2 % of noise, with 34
-/// and 8 false handles; 0.68 and 0.65 at 0.5 %.
+/// and 10 false handles; 0.68 and 0.65 at 0.5 %.
 class Range_denoising {
   static constexpr std::size_t least_neighbors = 12;  ///< twice the coefficients of a quadric
   static constexpr std::size_t noise_samples = 4000;
