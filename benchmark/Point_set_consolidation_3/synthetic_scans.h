@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 /// Shapes given by exact distances, and scans of them: ground truth of tests and figures.
@@ -27,7 +28,7 @@ using Function = std::function<double(const Vec3&)>;
 class Shape {
 public:
   Shape(Function distance, Function skeleton_distance, const Vec3& lower, const Vec3& upper)
-    : lower(lower), upper(upper), m_distance(distance), m_skeleton_distance(skeleton_distance)
+    : lower(lower), upper(upper), m_distance(std::move(distance)), m_skeleton_distance(std::move(skeleton_distance))
   {}
 
   double distance(const Vec3& p) const { return m_distance(p); }
@@ -110,7 +111,7 @@ inline Vec3 hit(const Shape& shape, const Vec3& origin, const Vec3& direction, d
   const double near = 1e-9 * shape.diagonal();
   double t = 0;
   for(int step = 0; step < 500 && t < length; ++step) {
-    const Vec3 p = origin + t * direction;
+    Vec3 p = origin + t * direction;
     const double d = shape.distance(p);
     if(d < near)
       return p;

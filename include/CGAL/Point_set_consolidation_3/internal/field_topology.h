@@ -39,8 +39,8 @@ public:
   Tetrahedral_link()
   {
     std::size_t k = 0;
-    for(const int sign : {-1, 1})
-      for(int code = 1; code < 8; ++code)
+    for(const std::int64_t sign : {-1, 1})
+      for(std::int64_t code = 1; code < 8; ++code)
         m_offsets[k++] = {sign * (code & 1), sign * (code >> 1 & 1), sign * (code >> 2)};
     for(std::size_t a = 0; a < size; ++a)
       for(std::size_t b = 0; b < size; ++b) {

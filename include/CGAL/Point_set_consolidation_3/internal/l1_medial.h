@@ -103,7 +103,8 @@ private:
   {
     const double h0 = m_parameters.initial_radius > 0 ? m_parameters.initial_radius
                                                       : 2 / std::cbrt(double(m_points.size()));
-    for(double h = h0; h <= (std::max)(h0, m_parameters.largest_radius); h += 0.5 * h0) {
+    double h = h0;
+    while(h <= (std::max)(h0, m_parameters.largest_radius)) {
       const Sorted_grid data(m_points, 0.5 * cutoff * h);
       for(std::size_t t = 0; t < m_parameters.inner_iterations; ++t) {
         const double move = iterate(data, h);
@@ -116,6 +117,7 @@ private:
       freeze();
       if(std::find(m_is_frozen.begin(), m_is_frozen.end(), char(0)) == m_is_frozen.end())
         break;
+      h += 0.5 * h0;
     }
   }
 

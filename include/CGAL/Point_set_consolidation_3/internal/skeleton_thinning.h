@@ -106,7 +106,7 @@ private:
     std::size_t farthest = 0;
     do {
       const std::size_t node = m_positions.size();
-      const Vec3 position = points[farthest];
+      const Vec3& position = points[farthest];
       m_positions.push_back(position);
       double largest = -1;
       for(std::size_t i = 0; i < points.size(); ++i) {
