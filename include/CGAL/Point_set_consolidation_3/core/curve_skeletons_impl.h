@@ -12,8 +12,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/contraction_samples.h>
 #include <CGAL/Point_set_consolidation_3/internal/l1_medial.h>
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_edits.h>
 #include <CGAL/Point_set_consolidation_3/internal/ply_skeleton_reader.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_edits.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_surface.h>
 
 #include <limits>
