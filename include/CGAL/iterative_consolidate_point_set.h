@@ -42,12 +42,17 @@ namespace CGAL {
   less than 49 degrees, the regions that they form continue the data's normals at their rim and have data all around
   (no angle of 92 degrees without, seen from their middle), they reach farther than holes that Poisson reconstruction
   closes by itself, and no border is left open. If less than half of what was added passes, all is taken back: then
-  the gaps are occlusions rather than holes.
+  the gaps are occlusions rather than holes. What fills a hole is moved at the end onto the smooth surface that interpolates
+  the data around it by radial basis functions (`hole_fairing`; not in the paper either): as grown, it has the curvature
+  of the rim only.
 
-  Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, and nearer ones that are sparser than the
-  points around and lie off the quadric that these follow, by more than 0.07 \f$h\f$ and three times their median
-  residual. Nearer ones are kept if all outliers are less than 0.5 % of the points: so many lie on tips and creases of
-  clean scans.
+  Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, and nearer ones that lie off the quadric
+  that the points around follow, by more than 2.25 times their median residual, and are sparser than these: off by
+  0.073 \f$h\f$ if the distances of their neighbours are 1.35 times those around, by 0.13 \f$h\f$ if 1.2 times, by
+  0.17 \f$h\f$ if not denser. If few near ones are found, less than 1 % of the points or a quarter of the far ones, they
+  are no layer of noise but single points out of the space around: those off by 0.1 \f$h\f$ and twice as sparse. Nearer
+  ones than \f$h\f$ are kept if all outliers are less than 0.5 % of the points: so many lie on tips and creases of clean
+  scans.
 
   Defaults that differ from the print were chosen by tests; `printed_values(true)` sets the printed ones:
   one repulsion step per iteration with the printed angle, minimum spacing \f$h/3\f$, data are outliers beyond
@@ -155,6 +160,12 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{completion_guard}
       \cgalParamDescription{whether new points must pass the guards}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`}
+    \cgalParamNEnd
+    \cgalParamNBegin{hole_fairing}
+      \cgalParamDescription{whether the points that fill a hole are moved onto the smooth surface through the data around
+        it; not without `completion_guard`}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`}
     \cgalParamNEnd
@@ -275,6 +286,7 @@ iterative_consolidate_point_set(const PointRange& points, OutputIterator output,
                                               parameters.outliers.far_distance);
   parameters.guard.enabled =
     parameter_or(pack, names::completion_guard, parameters.guard.enabled);
+  parameters.fairs_holes = parameter_or(pack, names::hole_fairing, parameters.fairs_holes);
   parameters.seed = parameter_or(pack, CGAL::internal_np::random_seed, 0u);
 
   Iterative_result result;

@@ -357,11 +357,12 @@ void iterative()
 {
   Function f("iterative_consolidate_point_set", "iterative_consolidate_point_set");
   const Oriented_points points = ring(6000, 4, 0.01, 12);
-  const auto run = [&](const auto& np) {
+  const auto run_on = [](const Oriented_points& input, const auto& np) {
     Oriented_points output;
-    CGAL::iterative_consolidate_point_set<Tag>(points, std::back_inserter(output), np);
+    CGAL::iterative_consolidate_point_set<Tag>(input, std::back_inserter(output), np);
     return numbers(output);
   };
+  const auto run = [&](const auto& np) { return run_on(points, np); };
   const auto with = [&](const auto& base, Values v) {
     return run(base.number_of_iterations(unsigned(v["number_of_iterations"]))
                  .adaptive(v["adaptive"] != 0)
@@ -371,6 +372,7 @@ void iterative()
                  .minimum_spacing(v["minimum_spacing"])
                  .far_outlier_distance(v["far_outlier_distance"])
                  .completion_guard(v["completion_guard"] != 0)
+                 .hole_fairing(v["hole_fairing"] != 0)
                  .printed_values(v["printed_values"] != 0)
                  .particle_fraction(v["particle_fraction"])
                  .orientation_is_hint(v["orientation_is_hint"] != 0)
@@ -379,19 +381,29 @@ void iterative()
   f.check({{"particle_fraction", no_effect}, {"number_of_iterations", no_effect}, {"adaptive", no_effect},
            {"two_phases", no_effect}, {"repulsion_weight", no_effect}, {"number_of_repulsion_steps", no_effect},
            {"minimum_spacing", no_effect}, {"far_outlier_distance", 0.05}, {"completion_guard", no_effect},
-           {"printed_values", no_effect}, {"random_seed", no_effect}, {"orientation_is_hint", 1}},
+           {"hole_fairing", no_effect}, {"printed_values", no_effect}, {"random_seed", no_effect},
+           {"orientation_is_hint", 1}},
           [&] { return run(maps); }, [&](const Values& v) { return with(maps, v); });
   // without the guards points are added, so that all parameters count
   const auto unguarded = maps.completion_guard(false);
   f.check({{"particle_fraction", 0.2}, {"number_of_iterations", 0}, {"adaptive", no_effect}, {"two_phases", 1},
            {"repulsion_weight", 0.2}, {"number_of_repulsion_steps", 3}, {"minimum_spacing", 0.2},
-           {"far_outlier_distance", 0.05}, {"printed_values", no_effect}, {"random_seed", 1},
-           {"orientation_is_hint", 1}},
+           {"far_outlier_distance", 0.05}, {"hole_fairing", no_effect}, {"printed_values", no_effect},
+           {"random_seed", 1}, {"orientation_is_hint", 1}},
           [&] { return run(unguarded); },
           [&](Values v) {
             v["completion_guard"] = 0;
             return with(unguarded, v);
           });
+  // a hole that is filled
+  Oriented_points open = box(6000);
+  open.erase(std::remove_if(open.begin(), open.end(),
+                            [](const Oriented_point& p) {
+                              return CGAL::squared_distance(p.first, Point(0, 0, 1)) < 0.25;
+                            }),
+             open.end());
+  f.check({{"hole_fairing", 0}}, [&] { return run_on(open, maps); },
+          [&](Values v) { return run_on(open, maps.hole_fairing(v["hole_fairing"] != 0)); });
 }
 
 void operators()

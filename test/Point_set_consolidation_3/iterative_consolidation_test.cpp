@@ -9,6 +9,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
+#include <CGAL/Point_set_consolidation_3/internal/hermite_surface.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
 #include <CGAL/iterative_consolidate_point_set.h>
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -368,7 +370,7 @@ void reports_outliers_and_keeps_the_static_region()
   std::size_t found = 0;
   for(const std::size_t i : outliers)
     found += i >= 5000;
-  assert(found >= 0.9 * number && double(found) >= 0.97 * double(outliers.size()));
+  assert(found >= 0.95 * number && double(found) >= 0.99 * double(outliers.size()));
 
   // constrained points are never removed
   std::vector<std::size_t> others;
@@ -379,6 +381,30 @@ void reports_outliers_and_keeps_the_static_region()
       .point_is_constrained_map(CGAL::Constant_property_map<Oriented_point, bool>(true))
       .outlier_output_iterator(std::back_inserter(others)));
   assert(others.empty() && result.size() == points.size());  // nothing moves, nothing is added
+}
+
+/// Outliers in a layer around the surface, closer to it than h.
+void finds_outliers_near_the_surface()
+{
+  constexpr std::size_t number = 500;
+  constexpr double layer = 0.08, farther = 0.02;  // diagonal 2.6
+  Random_numbers random(11);
+  Oriented_points points = ellipsoid(20 * number, 0.);
+  for(std::size_t i = 0; i < number; ++i) {
+    Point& p = points[i].first;
+    p = p + layer * Vector(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  }
+  Oriented_points result;
+  std::vector<std::size_t> outliers;
+  CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
+    points, std::back_inserter(result),
+    params::point_map(Point_map()).outlier_output_iterator(std::back_inserter(outliers)));
+  const auto is_off = [&](std::size_t i) { return ellipsoid_distance(to_vec3(points[i].first)) > farther; };
+  std::size_t all = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    all += is_off(i);
+  const auto found = std::size_t(std::count_if(outliers.begin(), outliers.end(), is_off));
+  assert(double(found) >= 0.85 * double(all) && double(found) >= 0.97 * double(outliers.size()));
 }
 
 void options_run_and_results_do_not_depend_on_the_frame_or_threads()
@@ -490,16 +516,60 @@ void only_holes_with_data_all_around_are_filled()
     const core::Free_space space;
     const core::Placement_guard guard(data, normals, space, h, core::Guard_parameters());
     const core::Execution execution = {false, core::Progress(), {}};
-    const std::vector<char> is_doubtful =
-      guard.doubtful_regions(execution, filling, core::Points(filling.size(), Vec3::UnitZ()), 0.4 * h,
-                             filling.size());
-    const auto doubtful = std::count(is_doubtful.begin(), is_doubtful.end(), char(1));
-    assert(doubtful == 0 || std::size_t(doubtful) == filling.size());  // the region is one
-    return doubtful == 0;
+    std::vector<core::Index> region(filling.size());
+    std::iota(region.begin(), region.end(), core::Index(0));
+    return !guard.doubtful_regions(execution, filling, core::Points(filling.size(), Vec3::UnitZ()), {region},
+                                   filling.size()).front();
   };
   const double degree = 3.14159265358979324 / 180;
   assert(is_filling_kept(0) && is_filling_kept(60 * degree));
   assert(!is_filling_kept(120 * degree) && !is_filling_kept(180 * degree));
+}
+
+/// Points and normals are interpolated, planes reproduced, and a sphere's missing cap hardly missed.
+void hermite_surface_goes_on_where_points_are_missing()
+{
+  Random_numbers random(5);
+  core::Points cap, normals, plane;
+  while(cap.size() < 100) {
+    const Vec3 d = random.direction();
+    if(d.z() < 0.3 || d.z() > 0.8)
+      continue;
+    cap.push_back(Vec3(5, -3, 2) + 2 * d);
+    normals.push_back(d);
+    plane.push_back(Vec3(d.x(), d.y(), 7));
+  }
+  const core::Hermite_surface sphere(cap, normals), flat(plane, core::Points(plane.size(), Vec3::UnitZ()));
+  for(std::size_t i = 0; i < cap.size(); ++i) {
+    Vec3 x = cap[i] + 0.05 * random.direction(), n;
+    assert(sphere.project(x, n) && std::abs((x - Vec3(5, -3, 2)).norm() - 2) < 0.02);
+    x = cap[i];
+    assert(sphere.project(x, n) && (x - cap[i]).norm() < 1e-6 && (n - normals[i]).norm() < 1e-6);
+    x = Vec3(3, 1, 7.5);
+    assert(flat.project(x, n) && std::abs(x.z() - 7) < 1e-5 && (n - Vec3::UnitZ()).norm() < 1e-5);
+  }
+  Vec3 pole(5, -3, 3.9), normal;
+  assert(sphere.project(pole, normal) && std::abs(pole.z() - 4) < 0.04 && normal.z() > 0.999);
+}
+
+/// The end of the long axis is more curved than anything around the hole: growing along spheres cuts it off.
+void fairing_restores_tips()
+{
+  Oriented_points points = ellipsoid(9000, 0.);
+  const auto is_missing = [](const Oriented_point& p) { return (to_vec3(p.first) - Vec3(1, 0, 0)).norm() < 0.5; };
+  points.erase(std::remove_if(points.begin(), points.end(), is_missing), points.end());
+  const auto error = [&](bool fairing) {
+    Oriented_points result;
+    CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result),
+                                                                maps().hole_fairing(fairing));
+    assert(result.size() > points.size() + 100);
+    double sum = 0;
+    for(std::size_t i = points.size(); i < result.size(); ++i)
+      sum += ellipsoid_distance(to_vec3(result[i].first));
+    return sum / double(result.size() - points.size());
+  };
+  const double grown = error(false), faired = error(true);
+  assert(faired < 0.02 && faired < 0.7 * grown);
 }
 
 }  // namespace
@@ -521,7 +591,10 @@ int main()
   RUN(closes_a_large_hole(false));
   RUN(open_sheets_are_not_extended());
   RUN(only_holes_with_data_all_around_are_filled());
+  RUN(hermite_surface_goes_on_where_points_are_missing());
+  RUN(fairing_restores_tips());
   RUN(reports_outliers_and_keeps_the_static_region());
+  RUN(finds_outliers_near_the_surface());
   RUN(options_run_and_results_do_not_depend_on_the_frame_or_threads());
   RUN(callback_is_monotone_and_cancels());
   RUN(degenerate_input_is_handled());

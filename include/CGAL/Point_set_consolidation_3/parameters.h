@@ -92,6 +92,7 @@
   X(shift_threshold)         /* s of the mean shift */                                  \
   X(far_outlier_distance)    /* in units of h */                                        \
   X(completion_guard)        /* where completed points may lie */                       \
+  X(hole_fairing)            /* completed points are moved onto smooth surfaces */      \
   X(inconsistent_neighbors)  /* receives their number */                                \
   X(completed_output_iterator)                                                          \
   X(confidence_output_iterator)                                                         \

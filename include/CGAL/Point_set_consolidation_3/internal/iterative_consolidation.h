@@ -9,8 +9,10 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ITERATIVE_CONSOLIDATION_H
 
 #include <CGAL/Point_set_consolidation_3/internal/confidence.h>
+#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
+#include <CGAL/Point_set_consolidation_3/internal/hole_fairing.h>
 #include <CGAL/Point_set_consolidation_3/internal/interpolatory_upsampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/mean_shift.h>
@@ -337,13 +339,8 @@ private:
         added.push_back(m_points[i]);
         added_normals.push_back(m_normals[i]);
       }
-    const std::vector<char> is_doubtful =
-      m_guard.doubtful_regions(m_execution, added, added_normals, region_radius * m_h,
-                               m_points.size() - m_number_of_kept);
     const Nearest_neighbors data(m_kept_points);
-    for(std::size_t i = 0; i < added.size(); ++i) {
-      if(is_doubtful[i])
-        continue;
+    for(const Index i : accepted_points(added, added_normals, data)) {
       m_result.new_points.push_back(added[i]);
       m_result.new_normals.push_back(added_normals[i]);
       const double distance = std::sqrt(data.nearest(added[i]).squared_distance);
@@ -358,6 +355,31 @@ private:
           m_result.normals[i] = m_normals[data.nearest(m_input.points[i]).index];
       });
     m_result.support_radius = m_h;
+  }
+
+  /// Of the added points, those in regions that close a hole; they are moved to fair surfaces.
+  std::vector<Index> accepted_points(Points& added, Points& normals, const Nearest_neighbors& data) const
+  {
+    if(added.empty())
+      return {};
+    std::vector<std::vector<Index> > regions = connected_components(added, region_radius * m_h);
+    for(std::vector<Index>& members : regions)
+      std::sort(members.begin(), members.end());  // sums in the points' order
+    const std::vector<char> is_doubtful =
+      m_guard.doubtful_regions(m_execution, added, normals, regions, m_points.size() - m_number_of_kept);
+    if(m_parameters.fairs_holes && m_parameters.guard.enabled) {  // without guard, regions need not be holes
+      const Hole_fairing fair(m_kept_points, m_kept_normals, data, m_h, m_guard);
+      parallel_for(m_execution, regions.size(), [&](std::size_t k) {
+        if(!is_doubtful[k])
+          fair(added, normals, regions[k]);
+      });
+    }
+    std::vector<Index> accepted;
+    for(std::size_t k = 0; k < regions.size(); ++k)
+      if(!is_doubtful[k])
+        accepted.insert(accepted.end(), regions[k].begin(), regions[k].end());
+    std::sort(accepted.begin(), accepted.end());
+    return accepted;
   }
 
   /// Of the particles: h = 2 L_avg, and the mean distance to 20 neighbours is 1.7 spacings.

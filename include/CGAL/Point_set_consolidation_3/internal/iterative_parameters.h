@@ -69,21 +69,29 @@ struct Upsampling_parameters {
   std::size_t most_points = (std::numeric_limits<std::size_t>::max)();  ///< to be inserted
 };
 
+/// What makes a point near the surface an outlier: how far off the surface of the data it is, in units of h, and how
+/// sparse, the distance of its neighbours by the median of that around.
+struct Outlier_evidence {
+  double distance, sparsity;
+};
+
 struct Outlier_parameters {
   double support_radius = 1;        ///< h
   /// Data farther from the up-sampled surface are outliers, in units of h. Printed: 1, which keeps clusters.
   double far_distance = 0.35;
   /// h is larger than usual noise, so the printed rule alone finds none of it. Outliers are as well data off the
-  /// quadrics that the data around themselves and around their feet on the particles' surface follow by more
-  /// than `near_distance` h and `near_factor` times the median residual, if they are sparser than the data
-  /// around: points of sharp details are off these quadrics, but no sparser.
+  /// quadrics that the data around themselves and around their feet on the particles' surface follow, ...
   bool removes_near = true;
-  double near_distance = 0.073;
-  double near_factor = 2.5;
-  double near_sparsity = 1.35;      ///< distance of the neighbours by the median of that around
-  /// Of points that are farther off than `clear_distance` h, which few details are.
-  double clear_sparsity = 1.2;
-  double clear_distance = 0.13;
+  /// ... by more than this many median residuals, ...
+  double near_factor = 2.25;
+  /// ... that reach one of these; by increasing distance. Points of sharp details are off the quadrics as well, but
+  /// no sparser than the data around; few are as far off as the last, which points inside of thin parts reach.
+  std::vector<Outlier_evidence> near = {{0.073, 1.35}, {0.13, 1.2}, {0.17, 1}};
+  /// If fewer than this share of the data are found so, or fewer than that share of the far outliers, there is no layer
+  /// of noise: what is near the surface are single points out of the space around it, alone and far off, ...
+  double scattered_share = 0.01, scattered_share_of_far = 0.25;
+  /// ... as this says, or details.
+  Outlier_evidence scattered = {0.1, 2};
   /// Flagged points closer than h are kept if they are a smaller share of the data: a clean scan has about
   /// 0.2 % of points in crevices and on tips that the particles do not resolve.
   double least_share = 0.005;
@@ -149,6 +157,7 @@ struct Iterative_parameters {
   double particles_per_new_point = 2;  ///< m^i = 2 m |P^i| / |P^0|
   bool takes_back_open_borders = true;
   Peel_parameters peel;                ///< its radius in units of h
+  bool fairs_holes = true;             ///< completed points are moved onto smooth surfaces through their rims
   double least_new_share = 0.1;        ///< of the largest |P^j|; the printed stop test cannot be met
 
   static Iterative_parameters printed()
@@ -162,6 +171,7 @@ struct Iterative_parameters {
     p.guard.enabled = false;
     p.selection_distance = 0;
     p.takes_back_open_borders = false;
+    p.fairs_holes = false;
     p.least_new_share = 0;
     return p;
   }

@@ -104,17 +104,18 @@ private:
   Vector m_c = Vector::Zero();
 };
 
-/// Those of `is_far`, and data off the surface of the data that `is_left_out` does not flag. `feet` and `normals` are
+/// Of `is_candidate`, the data off the surface of the data that `is_left_out` does not flag. `feet` and `normals` are
 /// those of the data on the particles' surface, `distance` their distances from it; `order` is that of places.
 inline std::vector<char> near_outliers(const Execution& execution, const Points& data,
                                        const std::vector<Index>& order, const Points& feet, const Points& normals,
-                                       const std::vector<double>& distance, const std::vector<char>& is_far,
-                                       const std::vector<char>& is_left_out, const Outlier_parameters& parameters)
+                                       const std::vector<double>& distance, const std::vector<char>& is_candidate,
+                                       const std::vector<char>& is_left_out,
+                                       const std::vector<Outlier_evidence>& evidences,
+                                       const Outlier_parameters& parameters)
 {
   constexpr std::size_t fitted_neighbors = 24, sparsity_neighbors = 6;
-  constexpr double suspicious = 0.3;    // of the limit: the particles' surface is farther from most outliers
   constexpr double least_scale = 0.25;  // of the limit: smaller residuals all have full weight
-  const double limit = parameters.near_distance * parameters.support_radius;
+  const double h = parameters.support_radius, limit = evidences.front().distance * h;
   std::vector<std::size_t> kept;
   Points points;
   for(std::size_t i = 0; i < data.size(); ++i)
@@ -122,7 +123,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
       kept.push_back(i);
       points.push_back(data[i]);
     }
-  std::vector<char> is_outlier = is_far;
+  std::vector<char> is_outlier(data.size(), 0);
   if(kept.size() <= fitted_neighbors)
     return is_outlier;
   const Nearest_neighbors tree(points);
@@ -139,6 +140,9 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
     for(const Neighbor& neighbor : neighbors_of(i, data[i], sparsity_neighbors))
       sparsity[i] += std::sqrt(neighbor.squared_distance);
   });
+  double least_sparsity = evidences.front().sparsity;
+  for(const Outlier_evidence& evidence : evidences)
+    least_sparsity = (std::min)(least_sparsity, evidence.sparsity);
   // how dense the data is, the neighbours of the foot tell: those of the point may be outliers themselves
   const auto is_off = [&](std::size_t i, const Vec3& place, bool tests_sparsity) {
     const std::vector<Neighbor> found = neighbors_of(i, place, fitted_neighbors);
@@ -147,7 +151,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
     for(const Neighbor& neighbor : found)
       sparsities.push_back(sparsity[kept[neighbor.index]]);
     const double relative_sparsity = sparsity[i] / median(std::move(sparsities));
-    if(tests_sparsity && relative_sparsity <= (std::min)(parameters.near_sparsity, parameters.clear_sparsity))
+    if(tests_sparsity && relative_sparsity <= least_sparsity)
       return false;
     Robust_height quadric(normals[i], found.size());
     for(const Neighbor& neighbor : found)
@@ -155,16 +159,28 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
     if(!quadric.fit(least_scale * limit))
       return false;
     const double off = quadric.distance(data[i] - feet[i]);
-    const bool is_clear = off > parameters.clear_distance * parameters.support_radius;
     return off > limit && off > parameters.near_factor * quadric.median_residual() &&
            (!tests_sparsity ||
-            relative_sparsity > (is_clear ? parameters.clear_sparsity : parameters.near_sparsity));
+            std::any_of(evidences.begin(), evidences.end(), [&](const Outlier_evidence& evidence) {
+              return off > evidence.distance * h && relative_sparsity > evidence.sparsity;
+            }));
   };
   parallel_for_places(execution, order, [&](std::size_t i) {
-    if(!is_outlier[i] && distance[i] > suspicious * limit)
-      is_outlier[i] = is_off(i, feet[i], true) && is_off(i, data[i], false);
+    is_outlier[i] = is_candidate[i] && is_off(i, feet[i], true) && is_off(i, data[i], false);
   });
   return is_outlier;
+}
+
+inline std::size_t number_of_flagged(const std::vector<char>& flags)
+{
+  return std::size_t(std::count(flags.begin(), flags.end(), char(1)));
+}
+
+inline std::vector<char> either(std::vector<char> flags, const std::vector<char>& others)
+{
+  for(std::size_t i = 0; i < flags.size(); ++i)
+    flags[i] = flags[i] || others[i];
+  return flags;
 }
 
 /// One flag per data point. `surface`: the up-sampled points.
@@ -203,21 +219,34 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
   });
 
   if(parameters.removes_near) {
+    constexpr double suspicious = 0.3;  // of the least distance: the particles' surface is farther from most outliers
+    std::vector<char> is_candidate(data.size());
+    for(std::size_t i = 0; i < data.size(); ++i)
+      is_candidate[i] = !is_outlier[i] && distance[i] > suspicious * parameters.near.front().distance * h;
+    const auto near_outliers_of = [&](const std::vector<Outlier_evidence>& evidences,
+                                      const std::vector<char>& is_near) {
+      return near_outliers(execution, data, order, feet, normals, distance, is_candidate,
+                           either(is_outlier, is_near), evidences, parameters);
+    };
     // without those found before, which hide others and spoil the fits
     constexpr int passes = 3;
-    const std::vector<char> is_far = is_outlier;
+    std::vector<char> is_near(data.size(), 0);
     for(int pass = 0; pass < passes; ++pass) {
-      std::vector<char> found =
-        near_outliers(execution, data, order, feet, normals, distance, is_far, is_outlier, parameters);
-      const bool is_settled = found == is_outlier;
-      is_outlier.swap(found);
+      std::vector<char> found = near_outliers_of(parameters.near, is_near);
+      const bool is_settled = found == is_near;
+      is_near.swap(found);
       if(is_settled)
         break;
     }
+    if(double(number_of_flagged(is_near)) <
+       (std::max)(parameters.scattered_share * double(data.size()),
+                  parameters.scattered_share_of_far * double(number_of_flagged(is_outlier)))) {
+      is_candidate = is_near;
+      is_near = near_outliers_of({parameters.scattered}, is_near);
+    }
+    is_outlier = either(is_outlier, is_near);
   }
-  const std::size_t flagged =
-    std::size_t(std::count(is_outlier.begin(), is_outlier.end(), char(1)));
-  return double(flagged) < parameters.least_share * double(data.size()) ? is_beyond : is_outlier;
+  return double(number_of_flagged(is_outlier)) < parameters.least_share * double(data.size()) ? is_beyond : is_outlier;
 }
 
 /// The table of the points that remain, `original` in increasing order; rows that have lost neighbours are

@@ -8,7 +8,6 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLACEMENT_GUARD_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLACEMENT_GUARD_H
 
-#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
@@ -41,25 +40,29 @@ public:
            (!is_seen_through(x) && !opposes_data(x, normal) && continues_data(x));
   }
 
-  /// Flags the regions, neighbours within `radius`, that are no plausible continuation of the data as a whole.
-  /// `number_added`: how many points there were before some were taken back.
-  std::vector<char> doubtful_regions(const Execution& execution, const Points& points,
-                                     const Points& normals, double radius,
-                                     std::size_t number_added) const
+  /// Whether a ray of the scanner passed there.
+  bool is_seen_through(const Vec3& x) const
   {
-    std::vector<char> is_doubtful(points.size(), 0);
+    return !m_free_space->empty() && (*m_free_space)(x) > m_parameters.free_space_tolerance * m_h;
+  }
+
+  /// Flags the regions, indices of added points that hang together, that are no plausible continuation of the data as a
+  /// whole. `number_added`: how many points there were before some were taken back.
+  std::vector<char> doubtful_regions(const Execution& execution, const Points& points, const Points& normals,
+                                     const std::vector<std::vector<Index> >& regions, std::size_t number_added) const
+  {
+    std::vector<char> is_doubtful(regions.size(), 0);
     if(!m_parameters.enabled || m_data == nullptr || points.empty())
       return is_doubtful;
     std::vector<Neighbor> nearest(points.size());
     parallel_for(execution, points.size(),
                  [&](std::size_t i) { nearest[i] = m_tree->nearest(points[i]); });
-    for(std::vector<Index>& members : connected_components(points, radius)) {
-      std::sort(members.begin(), members.end());  // sums in the points' order
-      if(is_doubtful_region(points, normals, nearest, members))
-        for(const Index i : members)
-          is_doubtful[i] = 1;
+    std::size_t accepted = 0;
+    for(std::size_t k = 0; k < regions.size(); ++k) {
+      is_doubtful[k] = is_doubtful_region(points, normals, nearest, regions[k]);
+      if(!is_doubtful[k])
+        accepted += regions[k].size();
     }
-    const auto accepted = std::count(is_doubtful.begin(), is_doubtful.end(), char(0));
     if(double(accepted) < m_parameters.least_accepted_share * double(number_added))
       std::fill(is_doubtful.begin(), is_doubtful.end(), char(1));
     return is_doubtful;
@@ -109,11 +112,6 @@ private:
     for(std::size_t k = 1; k < angles.size(); ++k)
       widest = (std::max)(widest, angles[k] - angles[k - 1]);
     return widest;
-  }
-
-  bool is_seen_through(const Vec3& x) const
-  {
-    return !m_free_space->empty() && (*m_free_space)(x) > m_parameters.free_space_tolerance * m_h;
   }
 
   bool opposes_data(const Vec3& x, const Vec3& normal) const
