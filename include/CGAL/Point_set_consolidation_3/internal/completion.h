@@ -92,7 +92,7 @@ public:
       note_missed(boxes[b], solid);
       stage.update(0.4 + 0.6 * double(b + 1) / double(boxes.size()));
     }
-    completed = Gap_selection(m_execution, m_input.points, m_seen, m_data_tree, m_balls,
+    completed = Gap_selection(m_execution, m_input.points, m_seen, m_data_tree, m_balls, m_free_space,
                               m_parameters.gaps)
                   .run(completed, is_one_view, m_free_space.empty());
     if(is_one_view)

@@ -14,8 +14,10 @@
 #include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/data_hull.h>
 #include <CGAL/Point_set_consolidation_3/internal/flat_closure.h>
+#include <CGAL/Point_set_consolidation_3/internal/free_space.h>
 #include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
+#include <CGAL/Point_set_consolidation_3/internal/rim_surfaces.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
 
 #include <array>
@@ -36,14 +38,21 @@ class Gap_selection {
   static constexpr double least_share = 0.01;     ///< of the data: gaps with fewer points in all are bridged well
   /// A gap whose closure leaves the data's hull farther than both is a balloon: share of the data's
   /// diagonal, and of the closure's largest distance from the data (0.7 at the round end of a tube).
+  static constexpr double smoothing_reach = 10;   ///< in sp
+  static constexpr std::size_t least_centres = 20, tested_points = 100;
+  static constexpr double largest_deviation = 0.1; ///< of half the gap's width
+  static constexpr double least_distance = 3;  ///< in sp
+  static constexpr double free_space_tolerance = 0.5;
+  static constexpr double most_seen_through = 0.2;
   static constexpr double least_swelling = 0.05, swelling_share = 0.8;
 
 public:
   Gap_selection(Execution& execution, const Points& particles, const Seen_part& seen,
-                const Nearest_neighbors& data_tree, const Balls& balls,
+                const Nearest_neighbors& data_tree, const Balls& balls, const Free_space& free_space,
                 const Gap_parameters& parameters)
     : m_execution(execution), m_particles(particles), m_seen(seen), m_data_tree(data_tree)
-    , m_balls(balls), m_centre_tree(balls.centres), m_parameters(parameters)
+    , m_balls(balls), m_free_space(free_space), m_centre_tree(balls.centres)
+    , m_surfaces(seen.points, seen.normals, data_tree, smoothing_reach * seen.spacing), m_parameters(parameters)
   {}
 
   /// `is_all_open`: after one view everything is open, and all gaps are completed. `is_blind`: no rays are
@@ -89,6 +98,10 @@ private:
       m_wide.append(gap);
       return;
     }
+    if(close_smoothly(gap, half_width)) {
+      m_wide.append(gap);
+      return;
+    }
     m_narrow_error += double(gap.points.size()) * prediction_error(border, half_width) /
                       typical_radius(gap);
     m_narrow.append(gap);
@@ -101,6 +114,39 @@ private:
     const double most = (std::max)(least_swelling * m_diagonal, swelling_share * half_width);
     return std::any_of(gap.points.begin(), gap.points.end(),
                        [&](const Vec3& x) { return m_hull->distance(x) > most; });
+  }
+
+  /// Onto the smooth surface that goes on from the data around, if that predicts itself well; no closer to the data than
+  /// the gap was.
+  bool close_smoothly(Completed_points& gap, double half_width) const
+  {
+    const Hermite_surface surface = m_surfaces.around(gap.points);
+    Completed_points closed = gap;
+    if(surface.number_of_centres() < least_centres || !surface.project(closed.points, closed.normals))
+      return false;
+    const std::size_t stride = 1 + gap.points.size() / tested_points;
+    std::vector<double> deviations;
+    for(std::size_t i = 0; i < closed.points.size(); i += stride)
+      deviations.push_back(surface.deviation(closed.points[i]));
+    if(!(mean(deviations) < largest_deviation * half_width))
+      return false;
+    std::vector<Index> kept;
+    std::size_t seen_through = 0;
+    for(std::size_t i = 0; i < closed.points.size(); ++i) {
+      const Vec3& x = closed.points[i];
+      closed.distance[i] = std::sqrt(m_data_tree.nearest(x).squared_distance);
+      if(m_free_space(x) > free_space_tolerance)
+        ++seen_through;
+      else if(closed.distance[i] >= least_distance * m_seen.spacing)
+        kept.push_back(Index(i));
+    }
+    if(kept.empty() || double(seen_through) > most_seen_through * double(closed.points.size()))
+      return false;
+    closed = closed.part(kept);
+    if(is_balloon(closed, half_width))
+      return false;
+    gap = std::move(closed);
+    return true;
   }
 
   /// A plane through the border, or the gap as it is if the border is far from flat.
@@ -173,7 +219,9 @@ private:
   const Seen_part& m_seen;
   const Nearest_neighbors& m_data_tree;
   const Balls& m_balls;
+  const Free_space& m_free_space;
   Nearest_neighbors m_centre_tree;
+  Rim_surfaces m_surfaces;
   const Gap_parameters& m_parameters;
   std::unique_ptr<Data_hull> m_hull;   ///< of the data, if that bounds completion
   double m_diagonal = 0;               ///< of the data then

@@ -57,15 +57,19 @@ public:
       A.block<4, 4>(4 * n, 4 * i) = A.block<4, 4>(4 * i, 4 * n).transpose();
       b.segment<3>(4 * i + 1) = normals[std::size_t(i)];
     }
-    m_coefficients = A.partialPivLu().solve(b);
+    m_factors.compute(A);
+    m_coefficients = m_factors.solve(b);
+    m_variance = std::abs(b.dot(m_coefficients)) / double(4 * n);
   }
+
+  std::size_t number_of_centres() const { return m_centres.size(); }
 
   /// Moves `x` to the surface along gradients. False, and nothing is changed, if it does not come to the surface.
   bool project(Vec3& x, Vec3& normal) const
   {
     constexpr int most_steps = 20;
     constexpr double converged = 1e-6;  // of the extent of the points
-    Vec3 y = (x - m_origin) / m_unit;
+    Vec3 y = local(x);
     for(int step = 0; step < most_steps; ++step) {
       const auto [value, gradient] = field(y);
       const double squared = gradient.squaredNorm();
@@ -81,7 +85,40 @@ public:
     return false;
   }
 
+  /// Projects all, or none if one does not come to the surface.
+  bool project(Points& points, Points& normals) const
+  {
+    Points projected = points, projected_normals = normals;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(!project(projected[i], projected_normals[i]))
+        return false;
+    points.swap(projected);
+    normals.swap(projected_normals);
+    return true;
+  }
+
+  /// How far the surface at `x` is likely to be from the true one: the standard deviation of f, as a Gaussian process
+  /// with this kernel that the points are a sample of, by the length of its gradient. O(n^2).
+  double deviation(const Vec3& x) const
+  {
+    const auto n = Eigen::Index(m_centres.size());
+    const Vec3 y = local(x);
+    Eigen::VectorXd row(4 * n + 4);
+    for(Eigen::Index j = 0; j < n; ++j) {
+      const Vec3 d = y - m_centres[std::size_t(j)];
+      const double r = d.norm();
+      row[4 * j] = r * r * r;
+      row.segment<3>(4 * j + 1) = -3 * r * d;
+    }
+    row[4 * n] = 1;
+    row.segment<3>(4 * n + 1) = y;
+    const double variance = -row.dot(m_factors.solve(row)) * m_variance;
+    return m_unit * std::sqrt((std::max)(0., variance)) / field(y).second.norm();
+  }
+
 private:
+  Vec3 local(const Vec3& x) const { return (x - m_origin) / m_unit; }
+
   /// Value and gradient at `y`, in local coordinates.
   std::pair<double, Vec3> field(const Vec3& y) const
   {
@@ -102,7 +139,9 @@ private:
   Points m_centres;
   Vec3 m_origin = Vec3::Zero();
   double m_unit = 0;
+  Eigen::PartialPivLU<Eigen::MatrixXd> m_factors;
   Eigen::VectorXd m_coefficients;  ///< a_j, b_j of all points, c_0, c
+  double m_variance = 0;           ///< of the process, for the kernel of unit size
 };
 
 }  // namespace internal

@@ -12,7 +12,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
-#include <CGAL/Point_set_consolidation_3/internal/hole_fairing.h>
 #include <CGAL/Point_set_consolidation_3/internal/interpolatory_upsampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/mean_shift.h>
@@ -22,6 +21,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/particle_selection.h>
 #include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
 #include <CGAL/Point_set_consolidation_3/internal/repulsion.h>
+#include <CGAL/Point_set_consolidation_3/internal/rim_surfaces.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
@@ -368,10 +368,10 @@ private:
     const std::vector<char> is_doubtful =
       m_guard.doubtful_regions(m_execution, added, normals, regions, m_points.size() - m_number_of_kept);
     if(m_parameters.fairs_holes && m_parameters.guard.enabled) {  // without guard, regions need not be holes
-      const Hole_fairing fair(m_kept_points, m_kept_normals, data, m_h, m_guard);
+      const Rim_surfaces surfaces(m_kept_points, m_kept_normals, data, m_h);
       parallel_for(m_execution, regions.size(), [&](std::size_t k) {
         if(!is_doubtful[k])
-          fair(added, normals, regions[k]);
+          fair_hole(surfaces, regions[k], added, normals);
       });
     }
     std::vector<Index> accepted;
@@ -380,6 +380,19 @@ private:
         accepted.insert(accepted.end(), regions[k].begin(), regions[k].end());
     std::sort(accepted.begin(), accepted.end());
     return accepted;
+  }
+
+  /// Moves `members`, which fill a hole, onto the smooth surface through the data around; not where a ray has passed.
+  void fair_hole(const Rim_surfaces& surfaces, const std::vector<Index>& members, Points& points, Points& normals) const
+  {
+    Points hole = selected(points, members), hole_normals = selected(normals, members);
+    if(!surfaces.around(hole).project(hole, hole_normals) ||
+       std::any_of(hole.begin(), hole.end(), [&](const Vec3& x) { return m_guard.is_seen_through(x); }))
+      return;
+    for(std::size_t k = 0; k < members.size(); ++k) {
+      points[members[k]] = hole[k];
+      normals[members[k]] = hole_normals[k];
+    }
   }
 
   /// Of the particles: h = 2 L_avg, and the mean distance to 20 neighbours is 1.7 spacings.

@@ -5,49 +5,31 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_HOLE_FAIRING_H
-#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_HOLE_FAIRING_H
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RIM_SURFACES_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RIM_SURFACES_H
 
 #include <CGAL/Point_set_consolidation_3/internal/algebraic_sphere.h>
 #include <CGAL/Point_set_consolidation_3/internal/hermite_surface.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
-#include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
 #include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Moves the points that fill a hole onto the smooth surface through the data around it; not in the paper. The points
-/// have grown over the hole from all sides along spheres with the curvature of the rim: they flatten tips that are more
-/// curved, and did not know of each other before they met.
+/// The smooth surfaces that go on from the data around holes and gaps; not in the papers. What fills a hole otherwise,
+/// grown along spheres or the hull of balls, has the curvature of its rim on one side only, or none of it.
 
-class Hole_fairing {
+class Rim_surfaces {
 public:
-  /// All must outlive the fairing.
-  Hole_fairing(const Points& data, const Points& normals, const Nearest_neighbors& tree, double h,
-               const Placement_guard& guard)
-    : m_data(data), m_normals(normals), m_tree(tree), m_grid(data, h), m_guard(guard), m_h(h) {}
+  /// `h`: ten spacings of the data. All must outlive the surfaces.
+  Rim_surfaces(const Points& data, const Points& normals, const Nearest_neighbors& tree, double h)
+    : m_data(data), m_normals(normals), m_tree(tree), m_grid(data, h), m_h(h) {}
 
-  /// Moves the points `members`, which fill one hole; not into space that is seen through.
-  void operator()(Points& points, Points& normals, const std::vector<Index>& members) const
-  {
-    Points region = selected(points, members), region_normals = selected(normals, members);
-    const Hermite_surface surface = surface_around(region);
-    for(std::size_t k = 0; k < region.size(); ++k)
-      if(!surface.project(region[k], region_normals[k]) || m_guard.is_seen_through(region[k]))
-        return;
-    for(std::size_t k = 0; k < members.size(); ++k) {
-      points[members[k]] = region[k];
-      normals[members[k]] = region_normals[k];
-    }
-  }
-
-private:
   /// Through the data that are no farther from the region than its middle is from the data.
-  Hermite_surface surface_around(const Points& region) const
+  Hermite_surface around(const Points& region) const
   {
-    constexpr std::size_t most_centres = 120;
+    constexpr std::size_t most_centres = 200;
     double reach = 0;
     for(const Vec3& x : region)
       reach = (std::max)(reach, std::sqrt(m_tree.nearest(x).squared_distance));
@@ -65,6 +47,7 @@ private:
     return Hermite_surface(std::move(centres), normals);
   }
 
+private:
   /// In their order.
   std::vector<Index> data_within(const Points& region, double distance) const
   {
@@ -85,21 +68,22 @@ private:
     return found;
   }
 
-  /// Projects the centres onto the algebraic surface of the data `around`. Its support grows with the noise: the
+  /// If the data are noisy, projects the centres onto their algebraic surface, whose support grows with the noise: the
   /// interpolation carries errors of single normals far into the hole.
   void smooth(const std::vector<Index>& around, Points& centres, Points& normals) const
   {
-    constexpr double least_support = 0.3, largest_support = 1, support_by_noise = 15;
-    constexpr std::size_t steps = 3;
+    constexpr double least_support = 0.3, support_by_noise = 15;
     constexpr double normal_deviation = 1.48;  // standard deviation by median of the absolute values
+    constexpr std::size_t steps = 3;
     const Points data = selected(m_data, around), data_normals = selected(m_normals, around);
     const Algebraic_surface detail(data, data_normals, least_support * m_h);
     std::vector<double> heights;
     for(std::size_t k = 0; k < centres.size(); ++k)
       heights.push_back(std::abs(detail.fit(centres[k], normals[k]).sphere.signed_distance(centres[k])));
-    const double noise = normal_deviation * median(std::move(heights));
-    const double support = (std::min)(least_support * m_h + support_by_noise * noise, largest_support * m_h);
-    const Algebraic_surface surface(data, data_normals, support);
+    const double support = support_by_noise * normal_deviation * median(std::move(heights));
+    if(support < least_support * m_h)
+      return;
+    const Algebraic_surface surface(data, data_normals, (std::min)(support, m_h));
     for(std::size_t k = 0; k < centres.size(); ++k)
       surface.project(centres[k], normals[k], steps);
   }
@@ -108,7 +92,6 @@ private:
   const Points& m_normals;
   const Nearest_neighbors& m_tree;
   Sorted_grid m_grid;
-  const Placement_guard& m_guard;
   double m_h;
 };
 
@@ -116,4 +99,4 @@ private:
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL
 
-#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_HOLE_FAIRING_H
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RIM_SURFACES_H
