@@ -36,14 +36,18 @@ class Gap_selection {
   static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
   static constexpr double least_share = 0.01;     ///< of the data: gaps with fewer points in all are bridged well
+  /// Smooth closures predict their error: they are trusted up to these shares of half the gap's width, by which they
+  /// deviate, and by which they move the hull of the balls. Where the hull is trusted, they must predict more: the mesher
+  /// misses by 0.12, the hull by 0.07.
+  static constexpr double largest_deviation = 0.1, largest_move = 0.3, better_than_balls = 0.07;
+  static constexpr double nearly_all = 0.9, most = 0.75;  ///< share of the narrow gaps that have a smooth closure
+  static constexpr double most_seen_through = 0.2;  ///< share of a smooth closure
+  static constexpr double free_space_tolerance = 0.5;  ///< in r
+  static constexpr double least_distance = 3;     ///< in sp, of a smooth closure from the data
+  static constexpr double smoothing_reach = 10;   ///< in sp
+  static constexpr std::size_t least_points = 30, least_centres = 20, tested_points = 100;
   /// A gap whose closure leaves the data's hull farther than both is a balloon: share of the data's
   /// diagonal, and of the closure's largest distance from the data (0.7 at the round end of a tube).
-  static constexpr double smoothing_reach = 10;   ///< in sp
-  static constexpr std::size_t least_centres = 20, tested_points = 100;
-  static constexpr double largest_deviation = 0.1; ///< of half the gap's width
-  static constexpr double least_distance = 3;  ///< in sp
-  static constexpr double free_space_tolerance = 0.5;
-  static constexpr double most_seen_through = 0.2;
   static constexpr double least_swelling = 0.05, swelling_share = 0.8;
 
 public:
@@ -63,8 +67,8 @@ public:
       m_hull = std::make_unique<Data_hull>(m_particles);
       m_diagonal = bounding_box(m_particles).diagonal();
     }
-    m_wide = m_narrow = Completed_points();
-    m_narrow_error = 0;
+    m_closed = Completed_points();
+    m_narrow = Narrow_gaps();
     Completed_points allowed = completed;
     if(!m_parameters.is_frozen.empty())
       allowed.keep_if([&](const Vec3& x) {
@@ -72,12 +76,8 @@ public:
       });
     for(const std::vector<Index>& gap : connected_components(allowed.points, link * m_seen.spacing))
       sort_in(allowed, gap, is_all_open);
-    // The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts
-    // belongs to all points, and thin parts left open beside closed ones would be lost.
-    const double narrow_points = double(m_narrow.points.size());
-    if(m_narrow_error < predictable * narrow_points && narrow_points > least_share * double(m_seen.points.size()))
-      m_wide.append(m_narrow);
-    return std::move(m_wide);
+    close_narrow();
+    return std::move(m_closed);
   }
 
 private:
@@ -95,16 +95,39 @@ private:
     else if(prior == Prior::MINIMAL_VOLUME)
       shrink(gap);
     if(is_all_open || prior != Prior::VOLUME_PRESERVING || half_width > wide_gap) {
-      m_wide.append(gap);
+      m_closed.append(gap);
       return;
     }
-    if(close_smoothly(gap, half_width)) {
-      m_wide.append(gap);
-      return;
+    const double number = double(gap.points.size());
+    m_narrow.points += number;
+    m_narrow.error += number * prediction_error(border, half_width) / typical_radius(gap);
+    m_narrow.by_balls.append(gap);
+    double deviation = 0;
+    if(close_smoothly(gap, half_width, deviation)) {
+      m_narrow.deviation += number * deviation;
+      m_narrow.smooth_points += number;
+      m_narrow.smooth.append(gap);
     }
-    m_narrow_error += double(gap.points.size()) * prediction_error(border, half_width) /
-                      typical_radius(gap);
-    m_narrow.append(gap);
+    else
+      m_narrow.others.append(gap);
+  }
+
+  /// The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts belongs to all
+  /// points, and thin parts left open beside closed ones would be lost, or tied to others by webs.
+  void close_narrow()
+  {
+    const double smooth_share = m_narrow.smooth_points / (std::max)(1., m_narrow.points);
+    if(m_narrow.error < predictable * m_narrow.points &&
+       m_narrow.points > least_share * double(m_seen.points.size())) {
+      if(smooth_share < nearly_all || m_narrow.deviation > better_than_balls * m_narrow.smooth_points)
+        m_closed.append(m_narrow.by_balls);
+      else {
+        m_closed.append(m_narrow.smooth);
+        m_closed.append(m_narrow.others);
+      }
+    }
+    else if(smooth_share > most)
+      m_closed.append(m_narrow.smooth);
   }
 
   bool is_balloon(const Completed_points& gap, double half_width) const
@@ -116,19 +139,24 @@ private:
                        [&](const Vec3& x) { return m_hull->distance(x) > most; });
   }
 
-  /// Onto the smooth surface that goes on from the data around, if that predicts itself well; no closer to the data than
-  /// the gap was.
-  bool close_smoothly(Completed_points& gap, double half_width) const
+  /// Onto the smooth surface that goes on from the data around, if that predicts itself well: `deviation`, by half the
+  /// gap's width.
+  bool close_smoothly(Completed_points& gap, double half_width, double& deviation) const
   {
+    if(gap.points.size() < least_points)
+      return false;
     const Hermite_surface surface = m_surfaces.around(gap.points);
     Completed_points closed = gap;
     if(surface.number_of_centres() < least_centres || !surface.project(closed.points, closed.normals))
       return false;
     const std::size_t stride = 1 + gap.points.size() / tested_points;
-    std::vector<double> deviations;
-    for(std::size_t i = 0; i < closed.points.size(); i += stride)
+    std::vector<double> deviations, moves;
+    for(std::size_t i = 0; i < closed.points.size(); i += stride) {
       deviations.push_back(surface.deviation(closed.points[i]));
-    if(!(mean(deviations) < largest_deviation * half_width))
+      moves.push_back((closed.points[i] - gap.points[i]).norm());
+    }
+    deviation = mean(deviations) / half_width;
+    if(!(deviation < largest_deviation) || mean(moves) > largest_move * half_width)
       return false;
     std::vector<Index> kept;
     std::size_t seen_through = 0;
@@ -225,8 +253,13 @@ private:
   const Gap_parameters& m_parameters;
   std::unique_ptr<Data_hull> m_hull;   ///< of the data, if that bounds completion
   double m_diagonal = 0;               ///< of the data then
-  Completed_points m_wide, m_narrow;
-  double m_narrow_error = 0;
+  Completed_points m_closed;
+  /// Gaps that the mesher might bridge better: as the hull of the balls, of which `others` have no smooth closure.
+  struct Narrow_gaps {
+    Completed_points by_balls, others, smooth;
+    double points = 0, smooth_points = 0;  ///< of the hull
+    double error = 0, deviation = 0;       ///< sums of the predicted ones, of all by balls and of the smooth ones
+  } m_narrow;
 };
 
 }  // namespace internal
