@@ -550,6 +550,9 @@ void hermite_surface_goes_on_where_points_are_missing()
   }
   Vec3 pole(5, -3, 3.9), normal;
   assert(sphere.project(pole, normal) && std::abs(pole.z() - 4) < 0.04 && normal.z() > 0.999);
+  // it knows how far off it is likely to be: not at all at a point, most in the middle of the hole
+  const double deviation = sphere.deviation(pole);
+  assert(sphere.deviation(cap[0]) < 1e-3 && deviation > 0.5 * std::abs(pole.z() - 4) && deviation < 0.2);
 }
 
 /// The end of the long axis is more curved than anything around the hole: growing along spheres cuts it off.

@@ -37,8 +37,8 @@ class Gap_selection {
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
   static constexpr double least_share = 0.01;     ///< of the data: gaps with fewer points in all are bridged well
   /// Smooth closures predict their error: they are trusted up to these shares of half the gap's width, by which they
-  /// deviate, and by which they move the hull of the balls. Where the hull is trusted, they must predict more: the mesher
-  /// misses by 0.12, the hull by 0.07.
+  /// deviate, and by which they move the hull of the balls. Where the hull is trusted, they must be better: the
+  /// mesher misses by 0.12, the hull by 0.07.
   static constexpr double largest_deviation = 0.1, largest_move = 0.3, better_than_balls = 0.07;
   static constexpr double nearly_all = 0.9, most = 0.75;  ///< share of the narrow gaps that have a smooth closure
   static constexpr double most_seen_through = 0.2;  ///< share of a smooth closure
@@ -112,8 +112,8 @@ private:
       m_narrow.others.append(gap);
   }
 
-  /// The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts belongs to all
-  /// points, and thin parts left open beside closed ones would be lost, or tied to others by webs.
+  /// The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts belongs to
+  /// all points, and thin parts left open beside closed ones would be lost, or tied to others by webs.
   void close_narrow()
   {
     const double smooth_share = m_narrow.smooth_points / (std::max)(1., m_narrow.points);
