@@ -143,7 +143,7 @@ private:
   /// gap's width.
   bool close_smoothly(Completed_points& gap, double half_width, double& deviation) const
   {
-    if(gap.points.size() < least_points)
+    if(gap.points.size() < least_points || m_seen.is_noisy)  // the deviation knows nothing of errors of the normals
       return false;
     const Hermite_surface surface = m_surfaces.around(gap.points);
     Completed_points closed = gap;
