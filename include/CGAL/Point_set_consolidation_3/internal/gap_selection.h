@@ -31,7 +31,7 @@ namespace internal {
 /// open: if the caller wants it so, or if the mesher bridges it better.
 class Gap_selection {
   static constexpr double link = 3;               ///< in sp: completed points are one sp apart
-  static constexpr double least_flat_distance = 3;  ///< in sp, of a flat closure from the data
+  static constexpr double least_distance = 3;     ///< in sp, of flat and smooth closures from the data
   static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
   static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
@@ -40,12 +40,14 @@ class Gap_selection {
   /// deviate, and by which they move the hull of the balls. Where the hull is trusted, they must be better: the
   /// mesher misses by 0.12, the hull by 0.07.
   static constexpr double largest_deviation = 0.1, largest_move = 0.3, better_than_balls = 0.07;
-  static constexpr double nearly_all = 0.9, most = 0.75;  ///< share of the narrow gaps that have a smooth closure
+  /// Share of the narrow gaps that must have a smooth closure: to take the place of trusted balls, and to be closed
+  /// beside others that stay open. Between scans that gained and lost.
+  static constexpr double replacing_share = 0.9, closing_share = 0.75;
   static constexpr double most_seen_through = 0.2;  ///< share of a smooth closure
-  static constexpr double free_space_tolerance = 0.5;  ///< in r
-  static constexpr double least_distance = 3;     ///< in sp, of a smooth closure from the data
+  static constexpr double free_space_tolerance = 0.5;  ///< in r, as of all completed points
   static constexpr double smoothing_reach = 10;   ///< in sp
-  static constexpr std::size_t least_points = 30, least_centres = 20, tested_points = 100;
+  static constexpr std::size_t least_points = 30;   ///< the mesher bridges smaller gaps
+  static constexpr std::size_t least_centres = 20, tested_points = 100;
   /// A gap whose closure leaves the data's hull farther than both is a balloon: share of the data's
   /// diagonal, and of the closure's largest distance from the data (0.7 at the round end of a tube).
   static constexpr double least_swelling = 0.05, swelling_share = 0.8;
@@ -119,14 +121,14 @@ private:
     const double smooth_share = m_narrow.smooth_points / (std::max)(1., m_narrow.points);
     if(m_narrow.error < predictable * m_narrow.points &&
        m_narrow.points > least_share * double(m_seen.points.size())) {
-      if(smooth_share < nearly_all || m_narrow.deviation > better_than_balls * m_narrow.smooth_points)
+      if(smooth_share < replacing_share || m_narrow.deviation > better_than_balls * m_narrow.smooth_points)
         m_closed.append(m_narrow.by_balls);
       else {
         m_closed.append(m_narrow.smooth);
         m_closed.append(m_narrow.others);
       }
     }
-    else if(smooth_share > most)
+    else if(smooth_share > closing_share)
       m_closed.append(m_narrow.smooth);
   }
 
@@ -191,7 +193,7 @@ private:
     for(const Vec3& x : gap.points) {
       const Vec3 y = plane.projected(x);
       const double d = std::sqrt(m_data_tree.nearest(y).squared_distance);
-      if(d >= least_flat_distance * m_seen.spacing) {
+      if(d >= least_distance * m_seen.spacing) {
         points.push_back(y);
         distance.push_back(d);
       }

@@ -29,19 +29,21 @@ public:
   /// Through the data that are no farther from the region than its middle is from the data.
   Hermite_surface around(const Points& region) const
   {
+    // error in gaps between clean views by that of the mesher: 0.79 with 120, 0.76 with 200, 0.74 with 320 (4 x slower)
     constexpr std::size_t most_centres = 200;
+    constexpr double first_distance = 0.05, growth = 1.1;  // of h: half a spacing keeps nearly all
     double reach = 0;
     for(const Vec3& x : region)
       reach = (std::max)(reach, std::sqrt(m_tree.nearest(x).squared_distance));
     const std::vector<Index> rim = data_within(region, reach);
     Points centres = selected(m_data, rim), normals = selected(m_normals, rim);
-    double distance = 0.05 * m_h;
+    double distance = first_distance * m_h;
     for(std::vector<Index> kept = thinned(centres, distance);; kept = thinned(centres, distance)) {
       centres = selected(centres, kept);
       normals = selected(normals, kept);
       if(centres.size() <= most_centres)
         break;
-      distance *= 1.1;
+      distance *= growth;
     }
     smooth(data_within(region, reach + m_h), centres, normals);
     return Hermite_surface(std::move(centres), normals);
@@ -72,6 +74,7 @@ private:
   /// interpolation carries errors of single normals far into the hole.
   void smooth(const std::vector<Index>& around, Points& centres, Points& normals) const
   {
+    // of h, and per noise: less leaves the noise of normals, more smooths the rims of clean holes away
     constexpr double least_support = 0.3, support_by_noise = 15;
     constexpr double normal_deviation = 1.48;  // standard deviation by median of the absolute values
     constexpr std::size_t steps = 3;
