@@ -245,7 +245,7 @@ Figure_result figure_11(const std::string&)
     add("octree " + std::to_string(resolution), resolution == 64,
         [&] { return skeleton_driven_mesh(tube.points, tube.axis, options); });
   }
-  for(const std::size_t resolution : {32, 48}) {
+  for(const std::size_t resolution : {32, 48, 64}) {
     Field_options options;
     options.resolution = resolution;
     options.adaptive = false;

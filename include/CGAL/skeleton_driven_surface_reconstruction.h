@@ -37,7 +37,7 @@ namespace CGAL {
 
   The field is solved on an octree by default, which is fine only near points, skeleton and surface, level by
   level; complexity is \f$O(a R^2)\f$ for resolution R and a surface as large as \f$a\f$ faces of the points' box.
-  On a regular grid (`adaptive(false)`) it is more than \f$O(R^3)\f$.
+  On a regular grid (`adaptive(false)`), by a multigrid solver, it is \f$O(R^3)\f$.
 
   \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
   \tparam PointRange a model of `ConstRange` whose iterator is a `ForwardIterator`.

@@ -247,6 +247,88 @@ void reconstruct_around_given_axis()
   assert(none.first == 0);
 }
 
+internal::Sparse_lattice full_lattice(int nodes)
+{
+  return internal::Sparse_lattice({nodes, nodes, nodes}, [=](std::int64_t, std::int64_t, std::vector<std::int32_t>& xs) {
+    for(int x = 0; x < nodes; ++x)
+      xs.push_back(x);
+  });
+}
+
+Vec3 node(const internal::Sparse_lattice& lattice, std::size_t i)
+{
+  const internal::Lattice_point p = lattice.point(i);
+  return Vec3(double(p[0]), double(p[1]), double(p[2]));
+}
+
+// One value and gradients at points make a linear field.
+void linear_field()
+{
+  const internal::Sparse_lattice lattice = full_lattice(6);
+  const std::vector<char> is_fixed(lattice.size(), 0);
+  const std::vector<double> start(lattice.size(), 0.);
+  internal::Field_equations equations(lattice, is_fixed, start);
+  const Vec3 gradient(0.3, -0.7, 0.2), place(2.3, 1.6, 3.1);
+  equations.add_smoothness(1);
+  equations.add_point(10, place, 0.5);
+  for(int k = 0; k < 125; ++k)
+    equations.add_gradient(10, Vec3(k % 5 + 0.3, k / 5 % 5 + 0.6, k / 25 + 0.1), gradient);
+  const std::vector<double> field = equations.solve();
+  double largest = 0;
+  for(std::size_t i = 0; i < lattice.size(); ++i)
+    largest = (std::max)(largest, std::abs(field[i] - 0.5 - gradient.dot(node(lattice, i) - place)));
+  std::cout << "linear field: largest error " << largest << std::endl;
+  assert(largest < 0.05);  // that of the solver
+}
+
+// A matrix whose rows are the trilinear weights of the coarse nodes around a fine node.
+internal::Multigrid::Matrix interpolation(const internal::Sparse_lattice& coarse, const internal::Sparse_lattice& fine)
+{
+  internal::Multigrid::Matrix result(Eigen::Index(fine.size()), Eigen::Index(coarse.size()));
+  for(std::size_t i = 0; i < fine.size(); ++i)
+    for(std::size_t j = 0; j < coarse.size(); ++j) {
+      const Vec3 offset = (node(fine, i) / 2 - node(coarse, j)).cwiseAbs();
+      if(offset.maxCoeff() < 1)
+        result.insert(Eigen::Index(i), Eigen::Index(j)) = (Vec3::Ones() - offset).prod();
+    }
+  return result;
+}
+
+// From no guess, a sphere's field: as many iterations on any number of levels, and the field of the other solver.
+void multigrid()
+{
+  internal::Multigrid grid;
+  for(int level = 0; level < 3; ++level) {
+    const int cells = 6 << level;
+    const internal::Sparse_lattice lattice = full_lattice(cells + 1);
+    const std::vector<char> is_fixed(lattice.size(), 0);
+    const std::vector<double> start(lattice.size(), 0.);
+    internal::Field_equations equations(lattice, is_fixed, start), same(lattice, is_fixed, start);
+    Random_numbers random(1);
+    for(internal::Field_equations* e : {&equations, &same}) {
+      e->add_smoothness(1);
+      e->add_point(1, Vec3::Constant(cells / 2.), -cells / 4.);
+    }
+    for(int k = 0; k < 500; ++k) {
+      const Vec3 direction = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+      for(internal::Field_equations* e : {&equations, &same})
+        e->add_point(1, Vec3::Constant(cells / 2.) + cells / 4. * direction, 0);
+    }
+    internal::Multigrid::Matrix from_coarse;
+    if(level > 0)
+      from_coarse = interpolation(full_lattice(cells / 2 + 1), lattice);
+    const std::vector<double> field = equations.solve(grid, std::move(from_coarse)), other = same.solve();
+    double largest = 0;
+    for(std::size_t i = 0; i < lattice.size(); ++i)
+      if((node(lattice, i) - Vec3::Constant(cells / 2.)).norm() < 0.3 * cells)  // beyond, nothing holds it
+        largest = (std::max)(largest, std::abs(field[i] - other[i]));
+    std::cout << "multigrid of " << level + 1 << " levels: " << equations.number_of_iterations() << " iterations for "
+              << same.number_of_iterations() << ", largest difference " << largest << std::endl;
+    assert(equations.number_of_iterations() <= 15);
+    assert(largest < 1e-3 * cells);
+  }
+}
+
 }  // namespace
 
 int main()
@@ -272,29 +354,7 @@ int main()
   measure_noise();
   reconstruct_noisy(points, normals);
 
-  // One value and gradients at points make a linear field.
-  const internal::Lattice_point size = {6, 6, 6};
-  const internal::Sparse_lattice lattice(
-    size, [](std::int64_t, std::int64_t, std::vector<std::int32_t>& xs) {
-      for(int x = 0; x < 6; ++x)
-        xs.push_back(x);
-    });
-  const std::vector<char> is_fixed(lattice.size(), 0);
-  const std::vector<double> start(lattice.size(), 0.);
-  internal::Field_equations equations(lattice, is_fixed, start);
-  const Vec3 gradient(0.3, -0.7, 0.2), place(2.3, 1.6, 3.1);
-  equations.add_smoothness(1);
-  equations.add_point(10, place, 0.5);
-  for(int k = 0; k < 125; ++k)
-    equations.add_gradient(10, Vec3(k % 5 + 0.3, k / 5 % 5 + 0.6, k / 25 + 0.1), gradient);
-  const std::vector<double> field = equations.solve();
-  double largest = 0;
-  for(std::size_t i = 0; i < lattice.size(); ++i) {
-    const internal::Lattice_point p = lattice.point(i);
-    const double linear = 0.5 + gradient.dot(Vec3(double(p[0]), double(p[1]), double(p[2])) - place);
-    largest = (std::max)(largest, std::abs(field[i] - linear));
-  }
-  std::cout << "linear field: largest error " << largest << std::endl;
-  assert(largest < 0.05);  // that of the solver
+  linear_field();
+  multigrid();
   std::cout << "done\n";
 }

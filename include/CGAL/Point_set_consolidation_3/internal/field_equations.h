@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FIELD_EQUATIONS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FIELD_EQUATIONS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/multigrid.h>
 #include <CGAL/Point_set_consolidation_3/internal/sparse_lattice.h>
 
 #include <Eigen/IterativeLinearSolvers>
@@ -29,12 +30,13 @@ class Field_equations {
   static constexpr double tolerance = 1e-4;  // a tenth of what is visible of a cell
   static constexpr int max_iterations = 2000;
 
-  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-  using Solver = Eigen::ConjugateGradient<
-    Matrix, Eigen::Lower | Eigen::Upper,
-    Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int> > >;
+  template <typename Preconditioner>
+  using Conjugate_gradient =
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>, Eigen::Lower | Eigen::Upper, Preconditioner>;
 
 public:
+  using Matrix = Multigrid::Matrix;
+
   /// `values`: of all nodes; those with `is_fixed` are boundary conditions, the others the initial guess.
   Field_equations(const Sparse_lattice& lattice, const std::vector<char>& is_fixed,
                   const std::vector<double>& values)
@@ -141,18 +143,37 @@ public:
     add(w, &node, &one, 1, k);
   }
 
-  /// The values of all nodes that minimise the energy; empty if the solver fails.
+  /// The values of all nodes that minimise the energy; empty if the solver fails. For a good guess.
   std::vector<double> solve()
+  {
+    Conjugate_gradient<Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int> > > solver;
+    return solve(solver, m_matrix);
+  }
+
+  /// The same as the next level of `multigrid`, to which the matrix moves: for large systems. `interpolation`: from the
+  /// unknowns of the level before.
+  std::vector<double> solve(Multigrid& multigrid, Matrix interpolation)
+  {
+    multigrid.add_level(std::move(m_matrix), std::move(interpolation));
+    if(!multigrid.is_solvable())
+      return {};
+    Conjugate_gradient<Multigrid_preconditioner> solver;
+    solver.preconditioner().set(multigrid);
+    return solve(solver, multigrid.finest());
+  }
+
+private:
+  template <typename Solver>
+  std::vector<double> solve(Solver& solver, const Matrix& matrix)
   {
     if(m_nodes.empty())
       return m_values;
     Eigen::VectorXd guess(Eigen::Index(m_nodes.size()));
     for(std::size_t row = 0; row < m_nodes.size(); ++row)
       guess[Eigen::Index(row)] = m_values[m_nodes[row]];
-    Solver solver;
     solver.setTolerance(tolerance);
     solver.setMaxIterations(max_iterations);
-    solver.compute(m_matrix);
+    solver.compute(matrix);
     if(solver.info() != Eigen::Success)
       return {};
     const Eigen::VectorXd u = solver.solveWithGuess(m_right, guess);
@@ -165,7 +186,6 @@ public:
     return values;
   }
 
-private:
   /// The corners of the cell of p and its place in there.
   bool find_cell(const Vec3& p, std::array<std::size_t, 8>& nodes, double* t) const
   {

@@ -25,9 +25,9 @@ namespace internal {
 /// Laplacian contraction paper, section V: the signed distance field of a shape from its points and its
 /// skeleton, negative inside.
 ///
-/// The domain is a lattice, or an octree of lattices: a coarse one fills the box, each finer one covers what is
-/// near points, skeleton and the surface of the level before, whose field gives the guess, and the values at its
-/// border. So only cells near the surface are small.
+/// The domain is an octree of lattices: a coarse one fills the box, each finer one covers what is near points, skeleton
+/// and the surface of the level before, whose field gives the guess, and the values at its border. So only cells near
+/// the surface are small. Or all lattices fill the box, for a regular grid, and are the levels of a multigrid solver.
 
 struct Distance_field {
   Frame frame;  ///< local coordinates are those of the lattice
@@ -40,6 +40,7 @@ class Signed_distance_field {
   static constexpr double most_padding = 1;      ///< more would not fit the outermost level
   static constexpr double sample_spacing = 0.01; ///< of the skeleton, in diagonals
   static constexpr double most_coarse_cells = 30000;
+  static constexpr double most_direct_cells = 1000;  ///< of the coarsest level of a regular grid, solved directly
   static constexpr std::int64_t band = 2;        ///< cells of the level before around what is refined
 
   struct Sample {
@@ -139,10 +140,11 @@ private:
 
   int number_of_levels() const
   {
+    const double most_cells = m_parameters.adaptive ? most_coarse_cells : most_direct_cells;
     int levels = 1;
-    for(double spacing = m_spacing; m_parameters.adaptive; spacing *= 2, ++levels) {
+    for(double spacing = m_spacing;; spacing *= 2, ++levels) {
       const Lattice_point d = dimensions(spacing);
-      if(double(d[0]) * double(d[1]) * double(d[2]) <= most_coarse_cells)
+      if(double(d[0]) * double(d[1]) * double(d[2]) <= most_cells)
         break;
     }
     return levels;
@@ -191,8 +193,16 @@ private:
             std::int64_t(std::floor(local.z()))};
   }
 
-  /// Cells that the next level divides: those with points, with skeleton, or with a change of sign, and cells
-  /// around them.
+  Cell_mask all_cells() const
+  {
+    Lattice_point last = m_field.lattice.dimensions();
+    for(std::int64_t& d : last)
+      d -= 2;
+    return Cell_mask({0, 0, 0}, last, true);
+  }
+
+  /// Cells that the next level of an octree divides: those with points, with skeleton, or with a change of sign, and
+  /// cells around them.
   Cell_mask cells_to_divide() const
   {
     const Sparse_lattice& lattice = m_field.lattice;
@@ -238,7 +248,7 @@ private:
   /// The next level. Nodes at its border, inside of the box, keep the values of this level.
   void refine(std::vector<char>& is_fixed)
   {
-    const Cell_mask mask = cells_to_divide();
+    const Cell_mask mask = m_parameters.adaptive ? cells_to_divide() : all_cells();
     const Lattice_point coarse = m_field.lattice.dimensions();
     Lattice_point fine;
     for(std::size_t axis = 0; axis < 3; ++axis)
@@ -277,9 +287,24 @@ private:
     parallel_for(m_execution, values.size(), [&](std::size_t i) {
       values[i] = 2 * interpolated(lattice.point(i));
     });
+    if(!m_parameters.adaptive)
+      m_interpolation = interpolation(lattice);
     m_field.lattice = std::move(lattice);
     m_field.values = std::move(values);
     m_field.frame.unit /= 2;
+  }
+
+  /// Calls `visit` with the nodes of the present level that a node of the next level is the middle of.
+  template <typename Visitor>
+  void for_each_coarse_node(const Lattice_point& fine, const Visitor& visit) const
+  {
+    for(std::int64_t k = 0; k <= (fine[2] & 1); ++k)
+      for(std::int64_t j = 0; j <= (fine[1] & 1); ++j)
+        for(std::int64_t i = 0; i <= (fine[0] & 1); ++i) {
+          const std::size_t node = m_field.lattice.find(fine[0] / 2 + i, fine[1] / 2 + j, fine[2] / 2 + k);
+          if(node != Sparse_lattice::none)
+            visit(node);
+        }
   }
 
   /// The present field at a node of the next level: the mean of the nodes around it.
@@ -287,17 +312,25 @@ private:
   {
     double sum = 0;
     int count = 0;
-    for(std::int64_t k = 0; k <= (fine[2] & 1); ++k)
-      for(std::int64_t j = 0; j <= (fine[1] & 1); ++j)
-        for(std::int64_t i = 0; i <= (fine[0] & 1); ++i) {
-          const std::size_t node =
-            m_field.lattice.find(fine[0] / 2 + i, fine[1] / 2 + j, fine[2] / 2 + k);
-          if(node != Sparse_lattice::none) {
-            sum += m_field.values[node];
-            ++count;
-          }
-        }
+    for_each_coarse_node(fine, [&](std::size_t node) {
+      sum += m_field.values[node];
+      ++count;
+    });
     return count > 0 ? sum / double(count) : 0;
+  }
+
+  /// The same as a matrix, of a regular grid.
+  Field_equations::Matrix interpolation(const Sparse_lattice& fine) const
+  {
+    Field_equations::Matrix result(Eigen::Index(fine.size()), Eigen::Index(m_field.lattice.size()));
+    result.reserve(Eigen::VectorXi::Constant(result.rows(), 8));
+    for(std::size_t row = 0; row < fine.size(); ++row) {
+      const Lattice_point p = fine.point(row);
+      const double share = 1. / double(1 << ((p[0] & 1) + (p[1] & 1) + (p[2] & 1)));
+      for_each_coarse_node(p, [&](std::size_t node) { result.insert(Eigen::Index(row), Eigen::Index(node)) = share; });
+    }
+    result.makeCompressed();
+    return result;
   }
 
   /// In units of a spacing h, the smoothness of a field U is the integral of U''^2 / h over space, the other terms are
@@ -317,7 +350,8 @@ private:
         equations.add_point(s * m_parameters.skeleton_weight, positions[i],
                             -m_samples[i].radius / m_field.frame.unit);
     add_outside(equations, s * s * s * s * m_parameters.outside_weight, positions, is_fixed);
-    std::vector<double> values = equations.solve();
+    std::vector<double> values =
+      m_parameters.adaptive ? equations.solve() : equations.solve(m_multigrid, std::move(m_interpolation));
     if(values.empty())
       throw std::runtime_error("the equations of the signed distance field cannot be solved");
     m_field.values = std::move(values);
@@ -373,6 +407,8 @@ private:
   Vec3 m_lower = Vec3::Zero(), m_sides = Vec3::Zero();
   double m_spacing = 1, m_diagonal = 1;
   Distance_field m_field;
+  Multigrid m_multigrid;                     ///< of a regular grid
+  Field_equations::Matrix m_interpolation;   ///< from its level before
 };
 
 }  // namespace internal

@@ -94,15 +94,15 @@ private:
 /// Cells of a lattice, as bits of a box.
 class Cell_mask {
 public:
-  /// All cells of the box [lower, upper].
-  Cell_mask(const Lattice_point& lower, const Lattice_point& upper) : m_lower(lower)
+  /// Of the cells of the box [lower, upper] all or none.
+  Cell_mask(const Lattice_point& lower, const Lattice_point& upper, bool value = false) : m_lower(lower)
   {
     std::size_t count = 1;
     for(std::size_t axis = 0; axis < 3; ++axis) {
       m_sides[axis] = (std::max)(std::int64_t(0), upper[axis] - lower[axis] + 1);
       count *= std::size_t(m_sides[axis]);
     }
-    m_bits.assign(count, 0);
+    m_bits.assign(count, char(value));
   }
 
   const Lattice_point& lower() const { return m_lower; }
