@@ -407,6 +407,31 @@ void finds_outliers_near_the_surface()
   assert(double(found) >= 0.85 * double(all) && double(found) >= 0.97 * double(outliers.size()));
 }
 
+// A small part that was seen apart has no particles of its own; it is as dense and as smooth as the rest, unlike the
+// scattered points around.
+void keeps_small_parts_seen_apart()
+{
+  constexpr std::size_t number = 10000, part = 48, scattered = 100;
+  Random_numbers random(12);
+  Oriented_points points = ellipsoid(number, 0.);
+  const double spacing = std::sqrt(6.8 / double(number));  // of the ellipsoid
+  for(std::size_t i = 0; i < part; ++i)
+    points.emplace_back(Point(2.5, spacing * double(i % 12), spacing * double(i / 12)), Vector(1, 0, 0));
+  for(std::size_t i = 0; i < scattered; ++i)
+    points.emplace_back(Point(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(2.2, 3)), Vector(1, 0, 0));
+  Oriented_points result;
+  std::vector<std::size_t> outliers;
+  CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
+    points, std::back_inserter(result),
+    params::point_map(Point_map()).outlier_output_iterator(std::back_inserter(outliers)));
+  std::size_t found = 0;
+  for(const std::size_t i : outliers) {
+    assert(i < number || i >= number + part);
+    found += i >= number;
+  }
+  assert(found == scattered);
+}
+
 void options_run_and_results_do_not_depend_on_the_frame_or_threads()
 {
   const Oriented_points points = ellipsoid(4000, 0.35);
@@ -598,6 +623,7 @@ int main()
   RUN(fairing_restores_tips());
   RUN(reports_outliers_and_keeps_the_static_region());
   RUN(finds_outliers_near_the_surface());
+  RUN(keeps_small_parts_seen_apart());
   RUN(options_run_and_results_do_not_depend_on_the_frame_or_threads());
   RUN(callback_is_monotone_and_cancels());
   RUN(degenerate_input_is_handled());

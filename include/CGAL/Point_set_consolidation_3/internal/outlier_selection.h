@@ -8,12 +8,14 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_OUTLIER_SELECTION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
+#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -183,6 +185,52 @@ inline std::vector<char> either(std::vector<char> flags, const std::vector<char>
   return flags;
 }
 
+/// Takes back the flags of patches: neighbouring points that are as dense and as smooth as the data that have none. The
+/// particles' surface misses parts so thin that particles of both sides meet in their middle, and small ones.
+inline void keep_patches(const Execution& execution, const Points& data, std::vector<char>& is_outlier)
+{
+  constexpr std::size_t compared = 2000, fitted_neighbors = 18, sparsity_neighbors = 6, least_points = 30;
+  constexpr double largest_ratio = 2;   // to the others: half of the points of a plane have up to 1.2
+  constexpr double smooth = 0.25;       // residual in spacings that any data may have; clean scans 0 to 0.06
+  constexpr double link = 3;            // in spacings
+  std::vector<Index> flagged, others;
+  for(std::size_t i = 0; i < data.size(); ++i)
+    (is_outlier[i] ? flagged : others).push_back(Index(i));
+  if(flagged.size() < least_points || others.empty())
+    return;
+  const Nearest_neighbors tree(data);
+  const auto measure = [&](const std::vector<Index>& indices, std::vector<double>& sparsity,
+                           std::vector<double>& residual) {
+    sparsity.assign(indices.size(), 0.);
+    residual.assign(indices.size(), 0.);
+    parallel_for(execution, indices.size(), [&](std::size_t k) {
+      std::vector<Neighbor> found;
+      tree.find(data[indices[k]], fitted_neighbors, found);
+      residual[k] = fit_quadric(data, data[indices[k]], found).residual;
+      const std::size_t count = (std::min)(found.size(), sparsity_neighbors + 1);
+      for(std::size_t j = 1; j < count; ++j)
+        sparsity[k] += std::sqrt(found[j].squared_distance) / double(count - 1);
+    });
+  };
+  const std::size_t stride = 1 + others.size() / compared;
+  std::vector<Index> sample;
+  for(std::size_t k = 0; k < others.size(); k += stride)
+    sample.push_back(others[k]);
+  std::vector<double> sparsity, residual;
+  measure(sample, sparsity, residual);
+  const double spacing = median(sparsity);
+  const double noise = (std::max)(smooth * spacing, median(residual));
+  measure(flagged, sparsity, residual);
+  std::vector<Index> surface_like;
+  for(std::size_t k = 0; k < flagged.size(); ++k)
+    if(sparsity[k] < largest_ratio * spacing && residual[k] < largest_ratio * noise)
+      surface_like.push_back(flagged[k]);
+  for(const std::vector<Index>& patch : connected_components(selected(data, surface_like), link * spacing))
+    if(patch.size() >= least_points)
+      for(const Index k : patch)
+        is_outlier[surface_like[k]] = 0;
+}
+
 /// One flag per data point. `surface`: the up-sampled points.
 inline std::vector<char> outlier_points(const Execution& execution, const Points& data,
                                         const Points& surface, const Points& surface_normals,
@@ -217,6 +265,10 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
     is_outlier[i] = found.front().squared_distance > far * far;
     is_beyond[i] = found.front().squared_distance > (std::max)(far, h) * (std::max)(far, h);
   });
+
+  keep_patches(execution, data, is_outlier);
+  for(std::size_t i = 0; i < data.size(); ++i)
+    is_beyond[i] = is_beyond[i] && is_outlier[i];
 
   if(parameters.removes_near) {
     constexpr double suspicious = 0.3;  // of the least distance: the particles' surface is farther from most outliers
