@@ -46,7 +46,7 @@ inline Shape animal(const Vec3& bend)
 
 struct Completion_quality {
   std::vector<Vec3> points;
-  double error = 0;      ///< percent of the diagonal
+  double error = 0;      ///< percent of the diagonal, from the hidden surface to the data or a completed point
   double coverage = 0;   ///< share of the hidden surface within 1.5 percent of the data or a completed point
 };
 
@@ -62,7 +62,6 @@ Completion_quality complete(const Shape& shape, const Scan& scan, const NP& np)
   const double percent = 100 / shape.diagonal();
   for(const auto& p : completed) {
     result.points.push_back(vec3(p.outer()));
-    result.error += percent * std::abs(shape.distance(result.points.back())) / double(completed.size());
     assert(p.distance() > 0 && p.confidence() > 0 && p.confidence() < 1);
   }
   for(const Vec3& h : scan.hidden) {
@@ -71,6 +70,7 @@ Completion_quality complete(const Shape& shape, const Scan& scan, const NP& np)
       nearest = (std::min)(nearest, (p - h).norm());
     for(const Vec3& p : scan.points)
       nearest = (std::min)(nearest, (p - h).norm());
+    result.error += percent * nearest / double(scan.hidden.size());
     result.coverage += (percent * nearest < 1.5) / double(scan.hidden.size());
   }
   std::cout << "  " << completed.size() << " points, error " << result.error << " %, coverage "

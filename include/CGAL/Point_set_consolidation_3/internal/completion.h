@@ -21,6 +21,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/sinking.h>
 #include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 #include <CGAL/Point_set_consolidation_3/internal/working_boxes.h>
+#include <CGAL/Point_set_consolidation_3/internal/zero_set_samples.h>
 
 #include <memory>
 
@@ -204,30 +205,25 @@ private:
   /// The surface of the solid where no data are near.
   Completed_points sample(const Scalar_grid& solid) const
   {
-    const std::vector<char> is_outside = Ball_union::outside(solid);
-    Points crossings;
-    solid.for_each_edge([&](std::size_t i, std::size_t j, int) {
-      const bool enters = (is_outside[i] && solid[j] <= 0) || (is_outside[j] && solid[i] <= 0);
-      if(enters)
-        crossings.push_back(crossing(solid, i, j));
-    });
-    std::vector<double> distance(crossings.size()), least(crossings.size());
-    parallel_for(m_execution, crossings.size(), [&](std::size_t i) {
-      distance[i] = data_distance(crossings[i]);
-      least[i] = least_distance(m_balls.radius[m_centre_tree->nearest(crossings[i]).index]);
+    Points samples = Zero_set_samples::find(m_execution, solid, Ball_union::outside(solid));
+    samples = selected(samples, thinned(samples, Completed_points::clearance * m_seen.spacing));
+    std::vector<double> distance(samples.size()), least(samples.size());
+    parallel_for(m_execution, samples.size(), [&](std::size_t i) {
+      distance[i] = data_distance(samples[i]);
+      least[i] = least_distance(m_balls.radius[m_centre_tree->nearest(samples[i]).index]);
     });
     Completed_points completed;
-    for(std::size_t i = 0; i < crossings.size(); ++i) {
+    for(std::size_t i = 0; i < samples.size(); ++i) {
       if(distance[i] < least[i])
         continue;
-      const Vec3 normal = normalized_or(solid.gradient(crossings[i]), Vec3::Zero());
+      const Vec3 normal = normalized_or(solid.gradient(samples[i]), Vec3::Zero());
       if(normal.isZero())
         continue;
-      completed.points.push_back(crossings[i]);
+      completed.points.push_back(samples[i]);
       completed.normals.push_back(normal);
       completed.distance.push_back(distance[i]);
     }
-    return completed.part(thinned(completed.points, m_seen.spacing));
+    return completed;
   }
 
   /// The solid passes the data at G(c_j) != 0; completed points near the border follow it, so
@@ -328,7 +324,7 @@ private:
         backs.normals.push_back(-m_seen.normals[j]);
         backs.distance.push_back(data_distance(back[j]));
       }
-    return backs.part(thinned(backs.points, sp));
+    return backs.part(thinned(backs.points, Completed_points::clearance * sp));
   }
 
   /// The correction may have moved points to where a ray has passed.

@@ -30,12 +30,12 @@ namespace internal {
 /// Gaps are the connected components of completed points. Each is closed by the prior of its border, or left
 /// open: if the caller wants it so, or if the mesher bridges it better.
 class Gap_selection {
-  static constexpr double link = 3;               ///< in sp: completed points are one sp apart
+  static constexpr double link = 3;               ///< in sp: several times the distance of completed points
   static constexpr double least_distance = 3;     ///< in sp, of flat and smooth closures from the data
   static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
   static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
-  static constexpr double least_share = 0.01;     ///< of the data: gaps with fewer points in all are bridged well
+  static constexpr double least_share = 0.035;    ///< of the data: gaps with fewer points in all are bridged well
   /// Smooth closures predict their error: they are trusted up to these shares of half the gap's width, by which they
   /// deviate, and by which they move the hull of the balls. Where the hull is trusted, they must be better: the
   /// mesher misses by 0.12, the hull by 0.07.
@@ -46,7 +46,7 @@ class Gap_selection {
   static constexpr double most_seen_through = 0.2;  ///< share of a smooth closure
   static constexpr double free_space_tolerance = 0.5;  ///< in r, as of all completed points
   static constexpr double smoothing_reach = 10;   ///< in sp
-  static constexpr std::size_t least_points = 30;   ///< the mesher bridges smaller gaps
+  static constexpr std::size_t least_points = 100;  ///< the mesher bridges smaller gaps
   static constexpr std::size_t least_centres = 20, tested_points = 100;
   /// A gap whose closure leaves the data's hull farther than both is a balloon: share of the data's
   /// diagonal, and of the closure's largest distance from the data (0.7 at the round end of a tube).
@@ -198,7 +198,7 @@ private:
         distance.push_back(d);
       }
     }
-    const std::vector<Index> kept = thinned(points, m_seen.spacing);
+    const std::vector<Index> kept = thinned(points, Completed_points::clearance * m_seen.spacing);
     gap.points = selected(points, kept);
     gap.distance = selected(distance, kept);
     gap.normals.assign(kept.size(), plane.normal);

@@ -1,0 +1,129 @@
+// Copyright (c) 2026  The Point_set_consolidation_3 authors.
+// All rights reserved.
+//
+// This file is part of Point_set_consolidation_3; it follows the conventions of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ZERO_SET_SAMPLES_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ZERO_SET_SAMPLES_H
+
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
+#include <CGAL/Point_set_consolidation_3/internal/scalar_grid.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_consolidation_3 {
+namespace internal {
+
+/// Points on the zero set of a grid that are closer to each other than its nodes: each cell that the set crosses is
+/// divided in eight, with values between the nodes by cubics (Lagrange's), and the edges of the parts are searched for
+/// changes of sign. Neighbouring cells find the points of common edges twice.
+class Zero_set_samples {
+  static constexpr int nodes = 3;                     ///< of a divided cell, along an axis
+  static constexpr int support = 4;                   ///< nodes of the grid that a cubic needs
+  typedef std::array<float, nodes * nodes * nodes> Values;
+
+public:
+  /// In cells with a corner of `is_outside`; on the inner side the grid is not positive.
+  static Points find(const Execution& execution, const Scalar_grid& grid, const std::vector<char>& is_outside)
+  {
+    std::vector<Points> of_layer(std::size_t(grid.size(2)));
+    parallel_for(execution, of_layer.size(), [&](std::size_t layer) {
+      const int z = int(layer);
+      if(z + 1 == grid.size(2))
+        return;
+      for(int y = 0; y + 1 < grid.size(1); ++y)
+        for(int x = 0; x + 1 < grid.size(0); ++x)
+          if(is_crossed(grid, is_outside, x, y, z))
+            add_crossings(grid, x, y, z, of_layer[layer]);
+    });
+    Points points;
+    for(const Points& layer : of_layer)
+      points.insert(points.end(), layer.begin(), layer.end());
+    return points;
+  }
+
+private:
+  static bool is_crossed(const Scalar_grid& grid, const std::vector<char>& is_outside, int x, int y, int z)
+  {
+    bool has_outside = false, has_inside = false;
+    for(int corner = 0; corner < 8; ++corner) {
+      const std::size_t i = grid.at(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
+      has_outside = has_outside || is_outside[i];
+      has_inside = has_inside || grid[i] <= 0;
+    }
+    return has_outside && has_inside;
+  }
+
+  static void add_crossings(const Scalar_grid& grid, int x, int y, int z, Points& points)
+  {
+    const Values values = divided(grid, x, y, z);
+    const double step = grid.step() / (nodes - 1);
+    const Vec3 corner = grid.node(x, y, z);
+    for(int i = 0; i < int(values.size()); ++i) {
+      const std::array<int, 3> place = {i % nodes, i / nodes % nodes, i / (nodes * nodes)};
+      for(std::size_t axis = 0, stride = 1; axis < 3; ++axis, stride *= nodes) {
+        if(place[axis] + 1 == nodes)
+          continue;
+        const double a = values[std::size_t(i)], b = values[std::size_t(i) + stride];
+        if((a > 0) == (b > 0))
+          continue;
+        Vec3 p(place[0], place[1], place[2]);
+        p[Eigen::Index(axis)] += a / (a - b);
+        points.push_back(corner + step * p);
+      }
+    }
+  }
+
+  /// Values at the corners of the parts, x fastest: cubics along z, then y, then x.
+  static Values divided(const Scalar_grid& grid, int x, int y, int z)
+  {
+    const auto clamped = [&](int axis, int coordinate) {
+      return (std::max)(0, (std::min)(grid.size(axis) - 1, coordinate));
+    };
+    std::array<float, support * support * nodes> along_z;
+    for(int j = 0; j < support; ++j)
+      for(int i = 0; i < support; ++i) {
+        std::array<float, support> column;
+        for(int k = 0; k < support; ++k)
+          column[std::size_t(k)] = grid[grid.at(clamped(0, x + i - 1), clamped(1, y + j - 1), clamped(2, z + k - 1))];
+        for(int k = 0; k < nodes; ++k)
+          along_z[std::size_t((k * support + j) * support + i)] = between(column, k);
+      }
+    Values values;
+    for(int k = 0; k < nodes; ++k) {
+      std::array<float, support * nodes> along_y;
+      for(int i = 0; i < support; ++i) {
+        std::array<float, support> column;
+        for(int j = 0; j < support; ++j)
+          column[std::size_t(j)] = along_z[std::size_t((k * support + j) * support + i)];
+        for(int j = 0; j < nodes; ++j)
+          along_y[std::size_t(j * support + i)] = between(column, j);
+      }
+      for(int j = 0; j < nodes; ++j) {
+        std::array<float, support> row;
+        for(int i = 0; i < support; ++i)
+          row[std::size_t(i)] = along_y[std::size_t(j * support + i)];
+        for(int i = 0; i < nodes; ++i)
+          values[std::size_t((k * nodes + j) * nodes + i)] = between(row, i);
+      }
+    }
+    return values;
+  }
+
+  /// At the second value, in the middle, at the third.
+  static float between(const std::array<float, support>& v, int place)
+  {
+    return place == 0 ? v[1] : place == 2 ? v[2] : (9 * (v[1] + v[2]) - v[0] - v[3]) / 16;
+  }
+};
+
+}  // namespace internal
+}  // namespace Point_set_consolidation_3
+}  // namespace CGAL
+
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_ZERO_SET_SAMPLES_H
