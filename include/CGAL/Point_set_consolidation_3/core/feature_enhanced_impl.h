@@ -65,10 +65,9 @@ Oriented_points simplify_anisotropically(Execution& execution, const Points& wor
   parameters.edge_attraction = edge_attraction * thinning;
 
   Oriented_points result;
-  for(const std::size_t i : random_subset(data.size(), settings.count, settings.seed)) {
-    result.points.push_back(data[i]);
-    result.normals.push_back(input.normals[i]);
-  }
+  const std::vector<std::size_t> chosen = random_subset(data.size(), settings.count, settings.seed);
+  result.points = selected(data, chosen);
+  result.normals = selected(input.normals, chosen);
   Anisotropic_wlop(execution, data, input.normals, parameters).run(stage, result.points, result.normals);
   result.points = frame.to_world(std::move(result.points));
   return result;

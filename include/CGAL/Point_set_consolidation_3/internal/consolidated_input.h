@@ -12,7 +12,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
 #include <CGAL/Point_set_consolidation_3/internal/raw_scan.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
-#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
 namespace CGAL {

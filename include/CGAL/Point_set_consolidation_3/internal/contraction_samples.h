@@ -10,7 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
-#include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -26,9 +26,7 @@ struct Contraction_samples {
 /// Index of the first of all points that are equal to point i, for every i.
 inline std::vector<std::size_t> first_of_equals(const Points& points)
 {
-  std::vector<std::size_t> order(points.size()), first(points.size());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
+  std::vector<std::size_t> order = all_indices<std::size_t>(points.size()), first(points.size());
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     for(int axis = 0; axis < 3; ++axis)
       if(points[a][axis] != points[b][axis])
@@ -38,47 +36,6 @@ inline std::vector<std::size_t> first_of_equals(const Points& points)
   for(std::size_t k = 0; k < order.size(); ++k)
     first[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]] : order[k];
   return first;
-}
-
-/// Indices of points of which no two are closer than `distance`, and to which all others are closer.
-inline std::vector<std::size_t> distant_points(const Points& points, double distance)
-{
-  const Sorted_grid grid(points, distance);
-  std::vector<char> is_covered(points.size(), 0);
-  std::vector<std::size_t> chosen;
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    if(is_covered[i])
-      continue;
-    chosen.push_back(i);
-    grid.for_each_neighbor(points[i], distance, [&](Index j, double) { return is_covered[j] = 1; });
-  }
-  return chosen;
-}
-
-/// At most `count` evenly spread points, and nearly as many.
-inline std::vector<std::size_t> spread_points(const Points& points, std::size_t count)
-{
-  constexpr int most_steps = 12;
-  constexpr double enough = 0.95;
-  std::vector<std::size_t> best;
-  // a surface as large as the box's largest side, covered by discs
-  const double side = bounding_box(points).sides().maxCoeff();
-  double distance = side / std::sqrt(double(count));
-  double too_small = 0, too_large = side;
-  for(int step = 0; step < most_steps; ++step) {
-    std::vector<std::size_t> chosen = distant_points(points, distance);
-    const double ratio = std::sqrt(double(chosen.size()) / double(count));
-    (chosen.size() > count ? too_small : too_large) = distance;
-    if(chosen.size() <= count && chosen.size() > best.size())
-      best.swap(chosen);
-    if(double(best.size()) >= enough * double(count))
-      break;
-    // the number of points goes with 1 / distance^2; slightly more, to end up below `count`
-    distance *= 1.01 * ratio;
-    if(!(distance > too_small && distance < too_large))
-      distance = 0.5 * (too_small + too_large);
-  }
-  return best;
 }
 
 /// Distinct points of the input; if there are more than `most`, evenly spread ones.
@@ -97,10 +54,7 @@ inline Contraction_samples contraction_samples(const Execution& execution, const
     s = place[s];
   if(samples.points.size() <= most)
     return samples;
-  Points chosen;
-  for(const std::size_t s : spread_points(samples.points, most))
-    chosen.push_back(samples.points[s]);
-  samples.points.swap(chosen);
+  samples.points = selected(samples.points, spread_points(samples.points, most));
   const Nearest_neighbors tree(samples.points);
   parallel_for(execution, points.size(),
                [&](std::size_t i) { samples.sample_of[i] = tree.nearest(points[i]).index; });

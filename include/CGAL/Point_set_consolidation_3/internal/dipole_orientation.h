@@ -169,11 +169,9 @@ inline void orient_by_dipoles(const Execution& execution, const Points& points, 
     Dipole_orientation(points, normals, nearest_table(execution, points, neighbors)).run();
     return;
   }
-  Points part, part_normals;
-  for(const std::size_t i : random_subset(points.size(), most_points, 0)) {
-    part.push_back(points[i]);
-    part_normals.push_back(normals[i]);
-  }
+  const std::vector<std::size_t> chosen = random_subset(points.size(), most_points, 0);
+  const Points part = selected(points, chosen);
+  Points part_normals = selected(normals, chosen);
   orient_by_dipoles(execution, part, part_normals);
   orient_by_hints(execution, points, normals, part, part_normals);
 }

@@ -85,10 +85,7 @@ private:
   {
     const Sorted_grid grid(points, first_radius * m_parameters.least_distance);
     std::vector<Points> found(centres.size()), found_normals(centres.size());
-    Points places;
-    for(const std::size_t c : centres)
-      places.push_back(points[c]);
-    parallel_for_places(m_execution, places, [&](std::size_t c) {
+    parallel_for_places(m_execution, selected(points, centres), [&](std::size_t c) {
       refine(grid, points, normals, centres[c], found[c], found_normals[c]);
     });
     Candidates candidates;

@@ -11,7 +11,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
-#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {

@@ -34,10 +34,8 @@ public:
   {
     const Bounding_box box = bounding_box(points);
     m_frame = contraction_frame(box);
-    for(const Vec3& p : points)
-      m_points.push_back(m_frame.to_local(p));
-    for(const Vec3& p : references)
-      m_references.push_back(m_frame.to_local(p));
+    m_points = m_frame.to_local(points);
+    m_references = m_frame.to_local(references);
     m_node_distance = m_parameters.sampling_radius * box.diagonal() / m_frame.unit;
     m_samples = contraction_samples(m_execution, m_points, m_parameters.most_samples);
   }

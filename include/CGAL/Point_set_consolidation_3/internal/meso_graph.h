@@ -101,13 +101,6 @@ private:
         result.push_back({Index(place[e[0]]), Index(place[e[1]])});
     return result;
   }
-  static Points selected(const Points& points, const std::vector<std::size_t>& indices)
-  {
-    Points result;
-    for(const std::size_t i : indices)
-      result.push_back(points[i]);
-    return result;
-  }
 
   /// Nodes, each with the mean of its deep points' inner points as position.
   void append(const Skeleton_graph& part, const std::vector<std::size_t>& indices, const Points& inner,
@@ -151,8 +144,7 @@ private:
                                 [&](const Points& cycle) { return m_disc.leaves_the_shape(cycle); }},
                                m_shape.skeletal);
     thinning.thin();
-    std::vector<std::size_t> all = all_indices<std::size_t>(m_shape.outer.size());
-    append(thinning.graph(), all, m_shape.skeletal, false);
+    append(thinning.graph(), all_indices<std::size_t>(m_shape.outer.size()), m_shape.skeletal, false);
   }
 
   void add_tips()

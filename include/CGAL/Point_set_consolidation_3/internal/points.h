@@ -36,6 +36,17 @@ std::vector<Number> all_indices(std::size_t n)
   return result;
 }
 
+/// The values with these indices, in their order.
+template <typename T, typename Number>
+std::vector<T> selected(const std::vector<T>& values, const std::vector<Number>& indices)
+{
+  std::vector<T> result;
+  result.reserve(indices.size());
+  for(const Number i : indices)
+    result.push_back(values[i]);
+  return result;
+}
+
 /// Length below which a vector has no usable direction (lengths are in units of the spacing).
 constexpr double tiny_length = 1e-12;
 

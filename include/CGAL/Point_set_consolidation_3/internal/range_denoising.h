@@ -252,11 +252,7 @@ inline bool denoise_along_rays(const Execution& execution, const Scan_directions
   for(const std::vector<std::size_t>& view : directions.by_view()) {  // none if the rays could not be grouped
     if(view.size() < least_points)
       continue;
-    Points seen, rays;
-    for(const std::size_t i : view) {
-      seen.push_back(points[i]);
-      rays.push_back(directions.towards_scanner[i]);
-    }
+    const Points seen = selected(points, view), rays = selected(directions.towards_scanner, view);
     const Projection projection = Projection::fit(seen, rays);
     if(!projection.has_rays(seen, rays))
       continue;  // an image of it would mix front and back

@@ -33,9 +33,7 @@ inline std::vector<std::size_t> random_subset(std::size_t n, std::size_t count, 
 /// the mean distances to six neighbours, so that outliers do not matter.
 inline double expected_spacing(const Execution& execution, const Points& data, std::size_t count)
 {
-  Points subset;
-  for(const std::size_t i : random_subset(data.size(), count, 0))
-    subset.push_back(data[i]);
+  const Points subset = selected(data, random_subset(data.size(), count, 0));
   return median(neighbor_distances(execution, Nearest_neighbors(subset), subset, 6));
 }
 

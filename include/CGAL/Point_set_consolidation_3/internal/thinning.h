@@ -32,14 +32,30 @@ inline std::vector<Index> thinned(const Points& points, double distance)
   return kept;
 }
 
-template <typename T>
-std::vector<T> selected(const std::vector<T>& values, const std::vector<Index>& indices)
+/// Indices of at most `count` evenly spread points, and nearly as many.
+inline std::vector<Index> spread_points(const Points& points, std::size_t count)
 {
-  std::vector<T> result;
-  result.reserve(indices.size());
-  for(const Index i : indices)
-    result.push_back(values[i]);
-  return result;
+  constexpr int most_steps = 12;
+  constexpr double enough = 0.95;
+  std::vector<Index> best;
+  // a surface as large as the box's largest side, covered by discs
+  const double side = bounding_box(points).sides().maxCoeff();
+  double distance = side / std::sqrt(double(count));
+  double too_small = 0, too_large = side;
+  for(int step = 0; step < most_steps; ++step) {
+    std::vector<Index> chosen = thinned(points, distance);
+    const double ratio = std::sqrt(double(chosen.size()) / double(count));
+    (chosen.size() > count ? too_small : too_large) = distance;
+    if(chosen.size() <= count && chosen.size() > best.size())
+      best.swap(chosen);
+    if(double(best.size()) >= enough * double(count))
+      break;
+    // the number of points goes with 1 / distance^2; slightly more, to end up below `count`
+    distance *= 1.01 * ratio;
+    if(!(distance > too_small && distance < too_large))
+      distance = 0.5 * (too_small + too_large);
+  }
+  return best;
 }
 
 }  // namespace internal

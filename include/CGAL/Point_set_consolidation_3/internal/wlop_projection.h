@@ -122,10 +122,7 @@ inline std::vector<double> particle_densities(const Execution& execution, const 
 {
   if(moving.size() > particles.size() / 2)
     return wlop_densities(execution, grid, particles, kernel);
-  Points places;
-  for(const std::size_t i : moving)
-    places.push_back(particles[i]);
-  return wlop_densities_near(execution, grid, particles, kernel, places, kernel.reach);
+  return wlop_densities_near(execution, grid, particles, kernel, selected(particles, moving), kernel.reach);
 }
 
 /// The data as the projection sees them: positions, their grid and their densities v_j.
