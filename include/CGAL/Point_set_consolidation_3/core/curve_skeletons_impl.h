@@ -9,16 +9,16 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_CORE_CURVE_SKELETONS_IMPL_H
 
 #include <CGAL/Point_set_consolidation_3/core/curve_skeletons.h>
-#include <CGAL/Point_set_consolidation_3/internal/contraction_samples.h>
 #include <CGAL/Point_set_consolidation_3/internal/l1_medial.h>
+#include <CGAL/Point_set_consolidation_3/internal/l1_medial_segments.h>
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
-#include <CGAL/Point_set_consolidation_3/internal/ply_skeleton_reader.h>
+#include <CGAL/Point_set_consolidation_3/internal/random_points_on_triangles.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_edits.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_io.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_surface.h>
+#include <CGAL/Point_set_consolidation_3/internal/thinning.h>
 
-#include <limits>
 #include <ostream>
-#include <random>
 #include <utility>
 
 namespace CGAL {
@@ -57,38 +57,10 @@ void edit(Skeleton_graph& graph, std::istream& edits)
 }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
-void write_ply(std::ostream& out, const Skeleton_graph& graph)
-{
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << "ply\nformat ascii 1.0\nelement vertex " << graph.nodes.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double radius\n"
-      << "element edge " << graph.edges.size()
-      << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  for(const Skeleton_node& node : graph.nodes)
-    out << node.position.x() << ' ' << node.position.y() << ' ' << node.position.z() << ' '
-        << node.radius << '\n';
-  for(const Skeleton_edge& e : graph.edges)
-    out << e[0] << ' ' << e[1] << '\n';
-}
+void write_ply(std::ostream& out, const Skeleton_graph& graph) { write_skeleton_ply(out, graph); }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
-void write_polylines(std::ostream& out, const Skeleton_graph& graph)
-{
-  out.precision(std::numeric_limits<double>::max_digits10);
-  std::vector<std::vector<std::size_t> > chains = polylines_of(graph);
-  const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
-  for(std::size_t i = 0; i < neighbors.size(); ++i)
-    if(neighbors[i].empty())
-      chains.push_back({i});
-  for(const std::vector<std::size_t>& chain : chains) {
-    out << chain.size();
-    for(const std::size_t i : chain) {
-      const Vec3& p = graph.nodes[i].position;
-      out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
-    }
-    out << '\n';
-  }
-}
+void write_polylines(std::ostream& out, const Skeleton_graph& graph) { write_skeleton_polylines(out, graph); }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
 Skeleton_graph read_skeleton(std::istream& in) { return Ply_skeleton_reader(in).read(); }
@@ -149,35 +121,9 @@ CGAL_POINT_SET_CONSOLIDATION_3_INLINE
 Points sample_triangles(const Points& vertices, const std::vector<std::array<std::size_t, 3> >& triangles,
                         std::size_t count, std::uint64_t seed)
 {
-  constexpr std::size_t surplus = 6;
-  std::vector<double> area_up_to;
-  double area = 0;
-  for(const std::array<std::size_t, 3>& t : triangles) {
-    area += (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]).norm();
-    area_up_to.push_back(area);
-  }
-  Points candidates;
-  if(!(area > 0))
-    return candidates;
-  std::mt19937_64 generator(seed);
-  const auto uniform = [&] { return double(generator() >> 11) / 9007199254740992.; };  // 2^53
-  for(std::size_t i = 0; i < surplus * count; ++i) {
-    const double where = uniform() * area;
-    const std::size_t k = std::size_t(
-      std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, where) - area_up_to.begin());
-    double u = uniform(), v = uniform();
-    if(u + v > 1) {
-      u = 1 - u;
-      v = 1 - v;
-    }
-    const std::array<std::size_t, 3>& t = triangles[k];
-    candidates.push_back(vertices[t[0]] + u * (vertices[t[1]] - vertices[t[0]]) +
-                         v * (vertices[t[2]] - vertices[t[0]]));
-  }
-  Points samples;
-  for(const std::size_t i : spread_points(candidates, count))
-    samples.push_back(candidates[i]);
-  return samples;
+  constexpr std::size_t surplus = 6;  // enough for `spread_points()` to choose evenly
+  const Points candidates = random_points_on_triangles(vertices, triangles, surplus * count, seed);
+  return candidates.empty() ? candidates : selected(candidates, spread_points(candidates, count));
 }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
@@ -186,7 +132,7 @@ Skeleton_graph extract_l1_skeleton(Execution& execution, const Points& points,
                                    const L1_medial_parameters& parameters)
 {
   return segments == 0 ? l1_medial_skeleton(execution, 1, points, parameters)
-                       : l1_medial_skeleton_of_segments(execution, points, labels, segments, true, parameters);
+                       : l1_medial_skeleton_of_segments(execution, points, labels, segments, parameters);
 }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE

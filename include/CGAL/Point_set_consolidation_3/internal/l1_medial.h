@@ -46,12 +46,8 @@ public:
     m_frame.origin = box.centre();
     if(box.diagonal() > 0)
       m_frame.unit = box.diagonal();
-    for(const Vec3& p : world)
-      m_all.push_back(m_frame.to_local(p));
-    const std::vector<std::size_t> order =
-      random_subset(m_all.size(), m_parameters.most_points, m_parameters.seed);
-    for(const std::size_t i : order)
-      m_points.push_back(m_all[i]);
+    m_all = m_frame.to_local(world);
+    m_points = selected(m_all, random_subset(m_all.size(), m_parameters.most_points, m_parameters.seed));
   }
 
   Skeleton_graph run(Stage& stage)
@@ -63,8 +59,6 @@ public:
     contract(stage);
     return graph(rings);
   }
-
-  const std::vector<char>& frozen() const { return m_is_frozen; }
 
 private:
   /// Evenly spread samples, each the farthest from those before: the rings need an even set.
@@ -288,90 +282,6 @@ inline Skeleton_graph l1_medial_skeleton(Execution& execution, double share, con
 {
   Stage stage(execution, "l1-medial", share);
   return L1_medial_skeletonization(execution, world, parameters).run(stage);
-}
-
-/// The skeletons of all segments in one graph. Segments that touch are joined between their nearest nodes, the
-/// pair of segments with the nearest points first, without cycles.
-inline Skeleton_graph l1_medial_skeleton_of_segments(Execution& execution, const Points& world,
-                                                     const std::vector<std::size_t>& labels,
-                                                     std::size_t count, bool joins,
-                                                     const L1_medial_parameters& parameters)
-{
-  constexpr std::size_t least_points = 10;  // a smaller segment is one node
-  Skeleton_graph result;
-  std::vector<std::size_t> segment_of_node;
-  std::vector<Points> parts(count);
-  for(std::size_t s = 0; s < count; ++s) {
-    std::vector<std::size_t> indices;
-    for(std::size_t i = 0; i < world.size(); ++i)
-      if(labels[i] == s) {
-        indices.push_back(i);
-        parts[s].push_back(world[i]);
-      }
-    if(indices.empty())
-      continue;
-    Skeleton_graph part;
-    const double share = double(indices.size()) / double(world.size());
-    if(indices.size() >= least_points)
-      part = l1_medial_skeleton(execution, share, parts[s], parameters);
-    else {
-      part.nodes.emplace_back();
-      for(std::size_t k = 0; k < indices.size(); ++k) {
-        part.nodes[0].position += parts[s][k] / double(indices.size());
-        part.nodes[0].points.push_back(k);
-      }
-    }
-    const std::size_t offset = result.nodes.size();
-    for(Skeleton_node& node : part.nodes) {
-      for(std::size_t& p : node.points)
-        p = indices[p];
-      result.nodes.push_back(std::move(node));
-      segment_of_node.push_back(s);
-    }
-    for(const Skeleton_edge& e : part.edges)
-      result.edges.push_back({e[0] + offset, e[1] + offset});
-  }
-  if(!joins)
-    return result;
-
-  // which segments touch: neighbours with different labels
-  constexpr std::size_t contact_neighbors = 6;
-  std::set<std::pair<std::size_t, std::size_t> > contacts;
-  const Nearest_neighbors tree(world);
-  std::vector<Neighbor> near;
-  for(std::size_t i = 0; i < world.size(); ++i) {
-    tree.find(world[i], contact_neighbors + 1, near);
-    for(const Neighbor& neighbor : near)
-      if(labels[neighbor.index] != labels[i])
-        contacts.insert({(std::min)(labels[i], labels[neighbor.index]),
-                         (std::max)(labels[i], labels[neighbor.index])});
-  }
-  struct Bridge {
-    double squared_length;
-    std::size_t a, b;
-  };
-  std::vector<Bridge> bridges;
-  for(const auto& contact : contacts) {
-    Bridge best = {std::numeric_limits<double>::max(), 0, 0};
-    for(std::size_t a = 0; a < result.nodes.size(); ++a)
-      if(segment_of_node[a] == contact.first)
-        for(std::size_t b = 0; b < result.nodes.size(); ++b)
-          if(segment_of_node[b] == contact.second) {
-            const double d2 = (result.nodes[a].position - result.nodes[b].position).squaredNorm();
-            if(d2 < best.squared_length)
-              best = {d2, a, b};
-          }
-    if(best.a != best.b)
-      bridges.push_back(best);
-  }
-  std::stable_sort(bridges.begin(), bridges.end(), [](const Bridge& x, const Bridge& y) {
-    return x.squared_length < y.squared_length;
-  });
-  Disjoint_sets sets(count);
-  for(const Bridge& bridge : bridges)
-    if(sets.join(segment_of_node[bridge.a], segment_of_node[bridge.b]))
-      result.add_edge(bridge.a, bridge.b);
-  return result;
 }
 
 }  // namespace internal

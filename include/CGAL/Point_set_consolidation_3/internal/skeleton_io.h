@@ -5,13 +5,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLY_SKELETON_READER_H
-#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLY_SKELETON_READER_H
+#ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_IO_H
+#define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_IO_H
 
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <cstring>
 #include <istream>
+#include <limits>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -21,8 +22,42 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Skeletons in PLY files: vertices `x y z radius`, `element edge` with `vertex1 vertex2`. ASCII and binary, with any
-/// further elements and properties.
+/// Files of curve skeletons. PLY: vertices `x y z radius`, `element edge` with `vertex1 vertex2`; written in ASCII, read
+/// in ASCII and binary, with any further elements and properties.
+
+inline void write_skeleton_ply(std::ostream& out, const Skeleton_graph& graph)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "ply\nformat ascii 1.0\nelement vertex " << graph.nodes.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double radius\n"
+      << "element edge " << graph.edges.size()
+      << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  for(const Skeleton_node& node : graph.nodes)
+    out << node.position.x() << ' ' << node.position.y() << ' ' << node.position.z() << ' '
+        << node.radius << '\n';
+  for(const Skeleton_edge& e : graph.edges)
+    out << e[0] << ' ' << e[1] << '\n';
+}
+
+/// CGAL's text format: a line per polyline, the number of points, then their coordinates. An isolated node is a polyline
+/// of one point.
+inline void write_skeleton_polylines(std::ostream& out, const Skeleton_graph& graph)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+  std::vector<std::vector<std::size_t> > chains = polylines_of(graph);
+  const std::vector<std::vector<std::size_t> > neighbors = adjacency(graph);
+  for(std::size_t i = 0; i < neighbors.size(); ++i)
+    if(neighbors[i].empty())
+      chains.push_back({i});
+  for(const std::vector<std::size_t>& chain : chains) {
+    out << chain.size();
+    for(const std::size_t i : chain) {
+      const Vec3& p = graph.nodes[i].position;
+      out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
+    }
+    out << '\n';
+  }
+}
 
 struct Ply_property {
   std::string name;
@@ -60,34 +95,13 @@ public:
       if(element.properties.empty())
         continue;  // whatever its count says, it takes no place in the file
       for(std::size_t i = 0; i < element.count; ++i) {
-        Skeleton_node node;
-        double ends[2] = {-1, -1};
-        for(const Ply_property& p : element.properties) {
-          const double value = read_property(p);
-          if(element.name == "vertex") {
-            if(p.name == "x") node.position.x() = value;
-            if(p.name == "y") node.position.y() = value;
-            if(p.name == "z") node.position.z() = value;
-            if(p.name == "radius") node.radius = value;
-          }
-          if(element.name == "edge") {
-            if(p.name == "vertex1") ends[0] = value;
-            if(p.name == "vertex2") ends[1] = value;
-          }
-        }
-        if(element.name == "vertex") {
-          if(!node.position.allFinite() || !std::isfinite(node.radius))
-            fail("vertex " + std::to_string(i) + " is not finite");
-          if(node.radius < 0)
-            fail("vertex " + std::to_string(i) + " has a negative radius");
-          graph.nodes.push_back(std::move(node));
-        }
-        if(element.name == "edge") {
-          for(const double end : ends)
-            if(!(end >= 0 && end < max_count))
-              fail("edge " + std::to_string(i) + " has no valid vertex1 and vertex2");
-          edges.push_back({std::size_t(ends[0]), std::size_t(ends[1])});
-        }
+        if(element.name == "vertex")
+          graph.nodes.push_back(read_node(element, i));
+        else if(element.name == "edge")
+          edges.push_back(read_edge(element, i));
+        else
+          for(const Ply_property& p : element.properties)
+            read_property(p);
       }
     }
     for(const Skeleton_edge& e : edges) {
@@ -152,6 +166,37 @@ private:
     }
   }
 
+  Skeleton_node read_node(const Ply_element& element, std::size_t i)
+  {
+    Skeleton_node node;
+    for(const Ply_property& p : element.properties) {
+      const double value = read_property(p);
+      if(p.name == "x") node.position.x() = value;
+      if(p.name == "y") node.position.y() = value;
+      if(p.name == "z") node.position.z() = value;
+      if(p.name == "radius") node.radius = value;
+    }
+    if(!node.position.allFinite() || !std::isfinite(node.radius))
+      fail("vertex " + std::to_string(i) + " is not finite");
+    if(node.radius < 0)
+      fail("vertex " + std::to_string(i) + " has a negative radius");
+    return node;
+  }
+
+  Skeleton_edge read_edge(const Ply_element& element, std::size_t i)
+  {
+    double ends[2] = {-1, -1};
+    for(const Ply_property& p : element.properties) {
+      const double value = read_property(p);
+      if(p.name == "vertex1") ends[0] = value;
+      if(p.name == "vertex2") ends[1] = value;
+    }
+    for(const double end : ends)
+      if(!(end >= 0 && end < max_count))
+        fail("edge " + std::to_string(i) + " has no valid vertex1 and vertex2");
+    return {std::size_t(ends[0]), std::size_t(ends[1])};
+  }
+
   /// The value of a property; 0 for a list, which is passed over.
   double read_property(const Ply_property& property)
   {
@@ -208,4 +253,4 @@ private:
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL
 
-#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_PLY_SKELETON_READER_H
+#endif  // CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_IO_H
