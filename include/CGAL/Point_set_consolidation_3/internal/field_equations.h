@@ -50,7 +50,6 @@ public:
     make_pattern();
   }
 
-  std::size_t number_of_unknowns() const { return m_nodes.size(); }
   std::size_t number_of_iterations() const { return m_iterations; }
 
   /// w |sum_a c_a u_a - k|^2 over `count` nodes

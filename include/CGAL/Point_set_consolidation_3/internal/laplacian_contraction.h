@@ -66,11 +66,8 @@ public:
 
   const Points& points() const { return m_points; }
   std::size_t number_of_iterations() const { return m_iterations; }
-  bool has_converged() const { return m_converged; }
   /// W_L^0
   double initial_contraction_weight() const { return m_initial_contraction; }
-  /// sum S^t / sum S^0
-  double extent_ratio() const { return m_ratio; }
 
   /// One iteration. Returns whether another one makes sense; if not, the points may be those of
   /// the previous iteration.
@@ -189,7 +186,9 @@ private:
   Points m_points;
   Vec3 m_box;
   std::vector<double> m_initial_extents, m_attraction;
-  double m_initial_sum = 1, m_ratio = 1, m_contraction = 1, m_initial_contraction = 1;
+  double m_initial_sum = 1;
+  double m_ratio = 1;  ///< sum S^t / sum S^0
+  double m_contraction = 1, m_initial_contraction = 1;
   std::size_t m_iterations = 0;
   bool m_converged = false;
 };

@@ -70,7 +70,6 @@ public:
     return perspective(scanner, (scanner - centre) / distance, distance);
   }
 
-  bool is_perspective() const { return m_is_perspective; }
   const Vec3& axis() const { return m_axis; }
 
   /// Position in the image, and height towards the scanner as third coordinate.
