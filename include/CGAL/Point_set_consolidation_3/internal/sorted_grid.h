@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/neighbor_block.h>
 
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -34,7 +35,8 @@ public:
   double cell_size() const { return m_cell_size; }
 
   /// The points' indices, cell by cell.
-  const std::vector<Index>& order() const { return m_index; }
+  const std::vector<Index>& order() const& { return m_index; }
+  std::vector<Index> order() && { return std::move(m_index); }
 
   /// Calls `body(const Neighbor_block&)` with all points p, |p - query| <= radius.
   template <typename Body>

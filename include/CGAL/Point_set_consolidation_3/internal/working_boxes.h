@@ -41,11 +41,7 @@ inline std::vector<Bounding_box> working_boxes(const Points& points, const Free_
   constexpr double link = 20;  // spacings: parts farther apart do not complete each other
   std::vector<Bounding_box> boxes;
   for(const std::vector<Index>& part : connected_components(points, link)) {
-    Bounding_box box{points[part.front()], points[part.front()]};
-    for(const Index i : part) {
-      box.lower = box.lower.cwiseMin(points[i]);
-      box.upper = box.upper.cwiseMax(points[i]);
-    }
+    Bounding_box box = bounding_box(selected(points, part));
     if(free_space.number_of_views() == 1) {
       const Vec3 away =
         -one_view_depth * box.sides().maxCoeff() * free_space.projection(0).axis();
