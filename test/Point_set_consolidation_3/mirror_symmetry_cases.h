@@ -15,6 +15,7 @@
 
 #include <cassert>
 #include <iostream>
+#include <optional>
 
 namespace mirror_symmetry_cases {
 
@@ -78,7 +79,8 @@ Completion_quality complete(const Shape& shape, const Scan& scan, const NP& np)
   return result;
 }
 
-inline bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
+/// In the scan's coordinates; `unit` becomes the spacing of the particles.
+inline std::optional<psc::Mirror_plane> mirror_plane(const Scan& scan, double& unit)
 {
   psc::Execution execution = psc::make_execution<CGAL::Parallel_if_available_tag>();
   psc::Raw_scan raw;
@@ -90,10 +92,11 @@ inline bool has_plane(const Scan& scan, psc::Mirror_plane& plane, double& unit)
   const psc::Consolidated_input input = psc::consolidate_input(execution, 1, raw, parameters);
   const psc::Free_space free_space(execution, input.data, input.directions, 0.5);
   const psc::Mirror_symmetry symmetry(execution, input.points, input.normals, free_space);
-  const bool is_found = symmetry.find(plane, false);
+  std::optional<psc::Mirror_plane> plane = symmetry.find(false);
   unit = input.frame.unit;
-  plane.offset = plane.normal.dot(input.frame.to_world(plane.offset * plane.normal));
-  return is_found;
+  if(plane)
+    plane->offset = plane->normal.dot(input.frame.to_world(plane->offset * plane->normal));
+  return plane;
 }
 
 inline void symmetric()
@@ -101,12 +104,12 @@ inline void symmetric()
   std::cout << "symmetric animal" << std::endl;
   const Shape shape = animal(Vec3::Zero());
   const Scan scan = synthetic::scan(shape, {Vec3(1, 0.7, 0.5)}, 12000, 3);
-  psc::Mirror_plane plane;
   double unit = 0;
-  assert(has_plane(scan, plane, unit));
-  std::cout << "  plane " << plane.normal.transpose() << ", " << plane.offset << std::endl;
-  assert(std::abs(plane.normal.x()) > std::cos(0.01));
-  assert(std::abs(plane.reflected(Vec3(offset, 0.3, 0)).x() - offset) < 0.5 * unit);
+  const std::optional<psc::Mirror_plane> plane = mirror_plane(scan, unit);
+  assert(plane);
+  std::cout << "  plane " << plane->normal.transpose() << ", " << plane->offset << std::endl;
+  assert(std::abs(plane->normal.x()) > std::cos(0.01));
+  assert(std::abs(plane->reflected(Vec3(offset, 0.3, 0)).x() - offset) < 0.5 * unit);
   const Completion_quality with = complete(shape, scan, params::use_symmetry(true));
   const Completion_quality without = complete(shape, scan, params::use_symmetry(false));
   assert(with.error < 0.75 * without.error);
@@ -122,9 +125,8 @@ inline void asymmetric()
   const Shape shape = animal(Vec3(-0.5, 0.6, 0.3));
   for(const Vec3& view : {Vec3(1, 0.7, 0.5), Vec3(-1, 0.7, 0.5)}) {
     const Scan scan = synthetic::scan(shape, {view}, 12000, 3);
-    psc::Mirror_plane plane;
     double unit = 0;
-    assert(!has_plane(scan, plane, unit));
+    assert(!mirror_plane(scan, unit));
   }
 }
 

@@ -19,6 +19,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/surface_consolidation.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -134,10 +135,10 @@ struct Deep_points::State {
     if(!settings.use_symmetry || space.empty())
       return false;
     const Mirror_symmetry symmetry(execution, input.points, input.normals, space);
-    Mirror_plane plane;
-    if(!symmetry.find(plane, input.directions.is_estimated))
+    const std::optional<Mirror_plane> plane = symmetry.find(input.directions.is_estimated);
+    if(!plane)
       return false;
-    const Mirrored_scan mirrored(execution, input, seen, input.gaps, space, symmetry, plane);
+    const Mirrored_scan mirrored(execution, input, seen, space, symmetry, *plane);
     if(!mirrored.is_larger_than(seen))
       return false;
     Sunk_points all_sunk;
@@ -146,7 +147,7 @@ struct Deep_points::State {
       all_sunk = sink(execution, stage, mirrored.input().points, mirrored.input().normals, settings.sinking);
     }
     Stage stage(execution, "completion", 0.3);
-    parameters.gaps = mirrored.gaps();
+    parameters.gaps = mirrored.input().gaps;
     completed = Completion(execution, mirrored.input(), mirrored.seen(), all_sunk, mirrored.free_space(margin),
                            parameters, seen.points.size())
                   .run(stage);

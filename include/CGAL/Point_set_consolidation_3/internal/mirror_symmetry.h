@@ -15,6 +15,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/sphere_directions.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -75,26 +76,27 @@ public:
     make_cells();
   }
 
-  /// The mirror plane of the shape. False if there is none for certain; of several, as a vase has, that
-  /// which tells most of the hidden side. `is_estimated`: the free space is only roughly known.
-  bool find(Mirror_plane& plane, bool is_estimated) const
+  /// The mirror plane of the shape, if there is one for certain; of several, as a vase has, that which tells most of
+  /// the hidden side. `is_estimated`: the free space is only roughly known.
+  std::optional<Mirror_plane> find(bool is_estimated) const
   {
     const double limit = is_estimated ? least_free : most_free;
+    std::optional<Mirror_plane> plane;
     double best = 1;
     std::size_t most_hidden = 0;
     for(const Mirror_plane& candidate : planes()) {
       const Mirror_evidence e = evidence(candidate);
       if(!is_mirror_plane(e, limit))
         continue;
-      const double disobedience = (std::max)(exact, double(e.free) / double(e.matched));
+      const double violation = (std::max)(exact, double(e.free) / double(e.matched));
       const std::size_t hidden = e.moved - e.facing - e.free;
-      if(disobedience < best || (disobedience == best && hidden > most_hidden)) {
-        best = disobedience;
+      if(violation < best || (violation == best && hidden > most_hidden)) {
+        best = violation;
         most_hidden = hidden;
         plane = candidate;
       }
     }
-    return best < 1;
+    return plane;
   }
 
   bool is_mirror_plane(const Mirror_evidence& e, double limit) const

@@ -9,7 +9,6 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MIRRORED_SCAN_H
 
 #include <CGAL/Point_set_consolidation_3/internal/consolidated_input.h>
-#include <CGAL/Point_set_consolidation_3/internal/gaps.h>
 #include <CGAL/Point_set_consolidation_3/internal/mirror_symmetry.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/seen_part.h>
@@ -27,27 +26,25 @@ class Mirrored_scan {
   static constexpr double data_clearance = 2;       ///< of data with about the same normal
   static constexpr double other_clearance = 1;      ///< in sp, of other data
   static constexpr double same_side = 0.3;          ///< cosine of normals
-  static constexpr double disobedient_radius = 5;   ///< around points whose images are in free space
-  static constexpr double disobedient_share = 0.1;
+  static constexpr double asymmetric_radius = 5;   ///< around points whose images are in free space
+  static constexpr double asymmetric_share = 0.1;
 
 public:
   Mirrored_scan(const Execution& execution, const Consolidated_input& input, const Seen_part& seen,
-                const Gap_parameters& gaps, const Free_space& free_space,
-                const Mirror_symmetry& symmetry, const Mirror_plane& plane)
+                const Free_space& free_space, const Mirror_symmetry& symmetry, const Mirror_plane& plane)
     : m_execution(execution), m_symmetry(symmetry), m_free_space(free_space), m_plane(plane)
-    , m_input(input), m_seen(seen), m_gaps(gaps)
+    , m_input(input), m_seen(seen)
   {
-    find_disobedient();
+    find_asymmetric();
     add_rays();
     add_particles();
     add_data();
   }
 
-  /// Measured particles, then their images.
+  /// Measured particles, then their images; `gaps` is for `seen()`.
   const Consolidated_input& input() const { return m_input; }
   /// Measured points, then the images of some of them.
   const Seen_part& seen() const { return m_seen; }
-  const Gap_parameters& gaps() const { return m_gaps; }
   /// Whether the symmetry tells anything new.
   bool is_larger_than(const Seen_part& measured) const
   {
@@ -63,29 +60,29 @@ public:
 
 private:
   /// Around points whose images lie in free space the shape is not symmetric.
-  void find_disobedient()
+  void find_asymmetric()
   {
     const Points& points = m_input.points;
     std::vector<char> is_free(points.size());
-    m_is_disobedient.resize(points.size());
+    m_is_asymmetric.resize(points.size());
     parallel_for(m_execution, points.size(), [&](std::size_t i) {
       is_free[i] = char(m_symmetry.is_free(m_plane, i));
     });
-    const Sorted_grid grid(points, disobedient_radius);
+    const Sorted_grid grid(points, asymmetric_radius);
     parallel_for(m_execution, points.size(), [&](std::size_t i) {
       double free = 0, all = 0;
-      grid.for_each_neighbor(points[i], disobedient_radius, [&](Index j, double) {
+      grid.for_each_neighbor(points[i], asymmetric_radius, [&](Index j, double) {
         free += is_free[j];
         ++all;
         return true;
       });
-      m_is_disobedient[i] = char(free > disobedient_share * all);
+      m_is_asymmetric[i] = char(free > asymmetric_share * all);
     });
   }
 
   void add_rays()
   {
-    const Bounding_box region = bounding_box(m_input.points).grown(disobedient_radius);
+    const Bounding_box region = bounding_box(m_input.points).grown(asymmetric_radius);
     const Scan_directions& directions = m_input.directions;
     const std::size_t views = directions.number_of_views();
     m_ray_points = m_input.data;
@@ -113,7 +110,7 @@ private:
       const Neighbor nearest = tree.nearest(y);
       const bool is_same = m_input.normals[nearest.index].dot(normal) > same_side;
       const double clearance = is_same ? data_clearance : particle_clearance;
-      is_kept[i] = char(!m_is_disobedient[i] && !(m_free_space(y) > 0) &&
+      is_kept[i] = char(!m_is_asymmetric[i] && !(m_free_space(y) > 0) &&
                         nearest.squared_distance > clearance * clearance);
     });
     for(std::size_t i = 0; i < n; ++i)
@@ -135,9 +132,9 @@ private:
       const Vec3 y = m_plane.reflected(m_seen.points[i]);
       const Vec3 normal = m_plane.reflected_vector(m_seen.normals[i]);
       const Index particle = particles.nearest(m_seen.points[i]).index;
-      if((particle < m_is_disobedient.size() && m_is_disobedient[particle]) || m_free_space(y) > 0)
+      if((particle < m_is_asymmetric.size() && m_is_asymmetric[particle]) || m_free_space(y) > 0)
         return;
-      if(!m_gaps.is_frozen.empty() && m_gaps.is_frozen[tree.nearest(y).index])
+      if(!m_input.gaps.is_frozen.empty() && m_input.gaps.is_frozen[tree.nearest(y).index])
         return;
       bool is_clear = true;
       data.for_each_neighbor(y, data_clearance, [&](Index j, double d2) {
@@ -150,10 +147,10 @@ private:
       if(is_kept[i]) {
         m_seen.points.push_back(m_plane.reflected(m_seen.points[i]));
         m_seen.normals.push_back(m_plane.reflected_vector(m_seen.normals[i]));
-        if(!m_gaps.priors.empty())
-          m_gaps.priors.push_back(m_gaps.priors[i]);
-        if(!m_gaps.is_frozen.empty())
-          m_gaps.is_frozen.push_back(m_gaps.is_frozen[i]);
+        if(!m_input.gaps.priors.empty())
+          m_input.gaps.priors.push_back(m_input.gaps.priors[i]);
+        if(!m_input.gaps.is_frozen.empty())
+          m_input.gaps.is_frozen.push_back(m_input.gaps.is_frozen[i]);
       }
   }
 
@@ -163,10 +160,9 @@ private:
   Mirror_plane m_plane;
   Consolidated_input m_input;
   Seen_part m_seen;
-  Gap_parameters m_gaps;
   Points m_ray_points;
   Scan_directions m_rays;
-  std::vector<char> m_is_disobedient;   ///< of the measured particles
+  std::vector<char> m_is_asymmetric;   ///< of the measured particles
 };
 
 }  // namespace internal

@@ -44,39 +44,46 @@ public:
   /// normals may point to the wrong side.
   std::optional<Vec3> run(bool is_oriented = true)
   {
-    Vec3 axis;
-    if(fits(axis) && refine(axis) <= hidden_share)
+    std::optional<Vec3> axis = refined_axis(hidden_share);
+    if(axis || is_oriented)
       return axis;
-    if(is_oriented)
-      return std::nullopt;
     // Both sides of a body hide each other from any side, however they are oriented.
-    if(!least_hiding(axis))
+    axis = least_hiding_axis();
+    if(!axis)
       return std::nullopt;
     for(Vec3& n : m_normals)
-      if(n.dot(axis) < 0)
+      if(n.dot(*axis) < 0)
         n = -n;
-    if(fits(axis) && refine(axis) <= unoriented_share)
-      return axis;
-    return std::nullopt;
+    return refined_axis(unoriented_share);
   }
 
 private:
-  /// The centre of the smallest cap that holds the normals, by steps towards the farthest (Badoiu, Clarkson);
-  /// whether it is less than a hemisphere.
-  bool fits(Vec3& axis) const
+  /// An axis that all normals face and along which at most this share of the points hides others.
+  std::optional<Vec3> refined_axis(double largest_share) const
   {
-    axis.setZero();
+    std::optional<Vec3> axis = axis_of_normals();
+    if(axis && refine(*axis) > largest_share)
+      axis.reset();
+    return axis;
+  }
+
+  /// The centre of the smallest cap that holds the normals, by steps towards the farthest (Badoiu, Clarkson); none if
+  /// it is no less than a hemisphere.
+  std::optional<Vec3> axis_of_normals() const
+  {
+    Vec3 axis = Vec3::Zero();
     for(const Vec3& n : m_normals)
       axis += n;
     axis = normalized_or(axis, Vec3::UnitZ());
     for(int k = 1; k <= steps; ++k)
       axis = normalized_or(axis + (farthest(axis) - axis) / double(k + 1), axis);
-    return farthest(axis).dot(axis) > 0;
+    if(farthest(axis).dot(axis) > 0)
+      return axis;
+    return std::nullopt;
   }
 
-  /// Of evenly spread axes from which hardly any point hides another, that which most normals face; false
-  /// if there is none.
-  bool least_hiding(Vec3& axis) const
+  /// Of evenly spread axes from which hardly any point hides another, that which most normals face.
+  std::optional<Vec3> least_hiding_axis() const
   {
     constexpr double alike = 0.02;   // shares
     Points directions;
@@ -87,7 +94,8 @@ private:
     }
     const double least = *std::min_element(shares.begin(), shares.end());
     if(least > unoriented_share)
-      return false;
+      return std::nullopt;
+    Vec3 axis = Vec3::Zero();
     double best = 0;
     for(std::size_t k = 0; k < coarse_directions; ++k)
       if(shares[k] <= least + alike)
@@ -98,7 +106,9 @@ private:
             axis = sign * directions[k];
           }
         }
-    return best > reliable_share;
+    if(best > reliable_share)
+      return axis;
+    return std::nullopt;
   }
 
   double share_of_facing(const Vec3& axis) const
