@@ -6,6 +6,8 @@
 #include "mesh_tree.h"
 #include "random_numbers.h"
 
+#include <CGAL/Point_set_consolidation_3/internal/sphere_directions.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -25,7 +27,7 @@ constexpr int coarse_rays = 200;
 constexpr double outlier_margin = 0.1;
 
 /// Candidate directions from which the fourth and further views are picked.
-constexpr int direction_candidates = 500;
+constexpr std::size_t direction_candidates = 500;
 
 /// The image of one view: a plane through the box centre with axes u and v, seen along -towards.
 struct Camera {
@@ -120,15 +122,12 @@ std::vector<Vec3> default_view_directions(std::size_t count)
   std::vector<Vec3> directions
       = {Vec3(1.0, 0.45, 0.35).normalized(), Vec3(-1.0, 0.3, -0.4).normalized(),
          Vec3(0.1, -1.0, 0.5).normalized()};
-  const double golden_angle = EIGEN_PI * (3.0 - std::sqrt(5.0));
   while(directions.size() < count) {
     Vec3 best = Vec3::UnitX();
     double best_cosine = 2.0;
-    for(int i = 0; i < direction_candidates; ++i) {
-      const double z = 1.0 - 2.0 * (i + 0.5) / direction_candidates;
-      const double radius = std::sqrt(1.0 - z * z);
-      const Vec3 candidate(radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i),
-                           z);
+    for(std::size_t i = 0; i < direction_candidates; ++i) {
+      const Vec3 candidate
+          = CGAL::Point_set_consolidation_3::internal::sphere_direction(i, direction_candidates);
       double cosine = -1.0;
       for(const Vec3& d : directions)
         cosine = std::max(cosine, d.dot(candidate));

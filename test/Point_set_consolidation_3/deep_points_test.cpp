@@ -24,7 +24,6 @@
 #include <cassert>
 #include <iostream>
 #include <limits>
-#include <numeric>
 
 namespace {
 
@@ -171,19 +170,12 @@ void strip()
 {
   std::cout << "strip" << std::endl;
   constexpr double width = 0.2;
-  std::vector<Point> points;
-  std::vector<Vector> towards;
+  Rays strip;
   for(int i = 0; i < 200; ++i)
     for(int j = 0; j < 20; ++j)
-      points.push_back(Point((i + 0.5 * (j % 2)) / 200., width * (j + 0.5) / 20, 0));
-  towards.assign(points.size(), Vector(0, 0, 1));
-  std::vector<std::size_t> indices(points.size());
-  std::iota(indices.begin(), indices.end(), std::size_t(0));
+      strip.emplace_back(Point((i + 0.5 * (j % 2)) / 200., width * (j + 0.5) / 20, 0), Vector(0, 0, 1));
   CGAL::Deep_points_consolidation_3<Kernel> consolidation(
-    indices, params::point_map(CGAL::make_property_map(points))
-               .view_direction_map(CGAL::make_property_map(towards))
-               .number_of_output_points(1000)
-               .geom_traits(Kernel()));
+    strip, params::point_map(First()).view_direction_map(Second()).number_of_output_points(1000));
   consolidation.sink_inner_points();
   for(std::size_t i = 0; i < consolidation.size(); ++i) {
     assert(consolidation.anchoring(i) == psc::Anchoring::unanchored);
@@ -198,19 +190,15 @@ void completion()
   const auto torus = synthetic::torus(1, 0.35);
   const Vec3 view = Vec3(1, .45, .35).normalized();
   const Scan scan = synthetic::scan(torus, {view}, 12000, 1);
-  std::vector<std::size_t> indices(scan.points.size());
-  std::vector<Point> points, denoised(scan.points.size());
-  std::vector<Vector> directions, normals(scan.points.size());
-  for(std::size_t i = 0; i < scan.points.size(); ++i) {
-    indices[i] = i;
-    points.emplace_back(scan.points[i].x(), scan.points[i].y(), scan.points[i].z());
-    directions.emplace_back(view.x(), view.y(), view.z());
-  }
+  const Indexed_rays rays = indexed_rays(scan);
+  const std::vector<Point>& points = rays.points;
+  std::vector<Point> denoised(points.size());
+  std::vector<Vector> normals(points.size());
   std::vector<Completed_point> completed;
   CGAL::complete_point_set<CGAL::Parallel_if_available_tag>(
-    indices, std::back_inserter(completed),
-    params::point_map(CGAL::make_property_map(points))
-      .view_direction_map(CGAL::make_property_map(directions))
+    rays.indices, std::back_inserter(completed),
+    params::point_map(rays.point_map())
+      .view_direction_map(rays.view_direction_map())
       .number_of_output_points(3000)
       .denoised_point_map(CGAL::make_property_map(denoised))
       .denoised_normal_map(CGAL::make_property_map(normals)));

@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/hermite_surface.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
+#include <CGAL/Point_set_consolidation_3/internal/sphere_directions.h>
 #include <CGAL/iterative_consolidate_point_set.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -218,9 +219,8 @@ Oriented_points spiral(std::size_t n, double top, const Vec3& centre)
 {
   Oriented_points points;
   for(std::size_t i = 0; i < n; ++i) {
-    const double z = 1 - 2 * (double(i) + 0.5) / double(n), a = 2.39996322972865332 * double(i);
-    const Vec3 d(std::sqrt(1 - z * z) * std::cos(a), std::sqrt(1 - z * z) * std::sin(a), z);
-    if(z < top)
+    const Vec3 d = core::sphere_direction(i, n);
+    if(d.z() < top)
       points.emplace_back(to_point(centre + d), to_vector(d));
   }
   return points;

@@ -35,6 +35,33 @@ inline Rays rays(const synthetic::Scan& scan)
   return result;
 }
 
+/// The same with maps by index, which results can be written to as well.
+struct Indexed_rays {
+  std::vector<std::size_t> indices;  ///< 0, 1, 2, ...: the range
+  std::vector<Point> points;
+  std::vector<Vector> directions;
+  std::vector<int> views;
+
+  void add(const Vec3& p, const Vec3& towards_scanner, int view = 0)
+  {
+    indices.push_back(points.size());
+    points.emplace_back(p.x(), p.y(), p.z());
+    directions.emplace_back(towards_scanner.x(), towards_scanner.y(), towards_scanner.z());
+    views.push_back(view);
+  }
+  auto point_map() const { return CGAL::make_property_map(points); }
+  auto view_direction_map() const { return CGAL::make_property_map(directions); }
+  auto view_index_map() const { return CGAL::make_property_map(views); }
+};
+
+inline Indexed_rays indexed_rays(const synthetic::Scan& scan)
+{
+  Indexed_rays result;
+  for(std::size_t i = 0; i < scan.points.size(); ++i)
+    result.add(scan.points[i], scan.directions[i]);
+  return result;
+}
+
 inline Vec3 vec3(const Point& p) { return Vec3(p.x(), p.y(), p.z()); }
 inline Vec3 vec3(const Vector& v) { return Vec3(v.x(), v.y(), v.z()); }
 
