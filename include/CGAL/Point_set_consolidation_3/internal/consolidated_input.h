@@ -18,22 +18,6 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-inline Raw_scan part_of(const Raw_scan& scan, const std::vector<Index>& kept)
-{
-  Raw_scan result = scan;
-  const auto select = [&](auto& values) {
-    if(!values.empty())
-      values = selected(values, kept);
-  };
-  select(result.points);
-  select(result.hints);
-  select(result.directions.towards_scanner);
-  select(result.directions.view);
-  select(result.gaps.priors);
-  select(result.gaps.is_frozen);
-  return result;
-}
-
 /// What a method starts from. All lengths are in units of `frame.unit`.
 struct Consolidated_input {
   Frame frame;

@@ -142,19 +142,20 @@ inline std::size_t number_of_particles(const Input_parameters& parameters, std::
   return parameters.particles > 0 ? (std::min)(parameters.particles, n) : default_particles(n);
 }
 
-/// Outliers of the scan leave lone particles, which would stretch every box.
-inline void remove_isolated(const Execution& execution, Points& points)
+/// Outliers that stayed in the scan, as all do where none are looked for, leave lone particles, which would stretch every
+/// box. Those are far from all others: nothing of what tells outliers of the scan from its sparse parts is needed.
+inline void remove_lone_particles(const Execution& execution, Points& points)
 {
   constexpr std::size_t neighbors = 6;
   constexpr double far = 8;  // times the median distance to them
   const std::vector<double> distance =
     neighbor_distances(execution, Nearest_neighbors(points), points, neighbors);
   const double largest = far * median(distance);
-  Points kept;
+  std::vector<Index> kept;
   for(std::size_t i = 0; i < points.size(); ++i)
     if(distance[i] <= largest)
-      kept.push_back(points[i]);
-  points.swap(kept);
+      kept.push_back(Index(i));
+  points = selected(points, kept);
 }
 
 /// The data with outward normals: on the side of the rough ones in `hints`, or found. Particles are coarser than thin
@@ -192,7 +193,7 @@ inline void project_particles(Execution& execution, double share, const Input_pa
   const double radius = parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
   input.points = wlop(execution, stage, input.data, count, radius, parameters.iterations,
                       parameters.require_uniform_sampling);
-  remove_isolated(execution, input.points);
+  remove_lone_particles(execution, input.points);
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
   if(!(r > 0))
@@ -270,7 +271,7 @@ inline Consolidated_input consolidate_data(Execution& execution, double share, c
     if(input.outliers.empty())
       return;
     const std::vector<Index> kept = others(input.outliers, input.data.size());
-    rest = part_of(scan, kept);
+    rest = scan.part(kept);
     known = &rest;
     input.data = selected(input.data, kept);
   };
@@ -314,13 +315,18 @@ inline Consolidated_input consolidate_input(Execution& execution, double share, 
     outliers = outliers_of(execution, scan.points, scan.gaps.is_frozen, false);
   }
   const std::size_t n = scan.points.size();
-  const std::vector<Index> first = others(outliers, n);
-  Consolidated_input input =
-    outliers.empty() ? consolidate_data(execution, share, scan, false, parameters)
-                     : consolidate_data(execution, share, part_of(scan, first), true, parameters);
-  for(const std::size_t k : input.outliers)
-    outliers.push_back(first[k]);
-  std::sort(outliers.begin(), outliers.end());
+  Consolidated_input input;
+  if(outliers.empty()) {
+    input = consolidate_data(execution, share, scan, false, parameters);
+    outliers = std::move(input.outliers);
+  }
+  else {
+    const std::vector<Index> kept = others(outliers, n);
+    input = consolidate_data(execution, share, scan.part(kept), true, parameters);
+    for(const std::size_t k : input.outliers)
+      outliers.push_back(kept[k]);
+    std::sort(outliers.begin(), outliers.end());
+  }
   if(!outliers.empty()) {
     const std::vector<Index> kept = others(outliers, n);
     input.place.resize(n);

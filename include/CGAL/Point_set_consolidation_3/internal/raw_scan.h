@@ -21,6 +21,13 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
+/// Of values that may be missing altogether.
+template <typename T>
+std::vector<T> selected_if_any(const std::vector<T>& values, const std::vector<Index>& indices)
+{
+  return values.empty() ? values : selected(values, indices);
+}
+
 /// The rays of a scan: a unit direction towards the scanner per point and the view it belongs to.
 /// Empty when the caller does not know them.
 struct Scan_directions {
@@ -34,6 +41,17 @@ struct Scan_directions {
   std::size_t number_of_views() const
   {
     return view.empty() ? 0 : *std::max_element(view.begin(), view.end()) + 1;
+  }
+  /// Of the points with these indices; rays that met nothing stay.
+  Scan_directions part(const std::vector<Index>& indices) const
+  {
+    Scan_directions result;
+    result.towards_scanner = selected_if_any(towards_scanner, indices);
+    result.view = selected_if_any(view, indices);
+    result.missed = missed;
+    result.missed_view = missed_view;
+    result.is_estimated = is_estimated;
+    return result;
   }
   /// Indices of the points of each view.
   std::vector<std::vector<std::size_t> > by_view() const
@@ -53,6 +71,12 @@ struct Gap_parameters {
   std::vector<Prior> priors;          ///< one per datum; empty: `prior` everywhere
   std::vector<char> is_frozen;        ///< one per datum: nothing is completed next to it; empty: none
 
+  /// Of the data with these indices.
+  Gap_parameters part(const std::vector<Index>& indices) const
+  {
+    return {largest, prior, shrinkage, selected_if_any(priors, indices), selected_if_any(is_frozen, indices)};
+  }
+
   /// The prior of most of the data at the border of a gap.
   Prior prior_of(const std::vector<Index>& border) const
   {
@@ -71,6 +95,11 @@ struct Raw_scan {
   Points hints;                ///< rough normals; empty: none
   Scan_directions directions;  ///< empty: none
   Gap_parameters gaps;
+
+  Raw_scan part(const std::vector<Index>& indices) const
+  {
+    return {selected(points, indices), selected_if_any(hints, indices), directions.part(indices), gaps.part(indices)};
+  }
 };
 
 }  // namespace internal
