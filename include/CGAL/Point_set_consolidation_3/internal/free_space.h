@@ -13,6 +13,9 @@
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/views.h>
 
+#include <limits>
+#include <optional>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -25,6 +28,8 @@ class Free_space {
   static constexpr int closing_pixels = 4;   ///< gaps of the sampling that are not seen through
   static constexpr int padding_pixels = 6;
   static constexpr double max_pixels = 4e6;  ///< per view; larger images are sampled more coarsely
+  static constexpr double least_pixel = 1e-3;
+  static constexpr double half_diagonal = 0.7;  ///< of a pixel: no datum lies in one whose centre is farther from all
 
 public:
   Free_space() = default;
@@ -112,20 +117,36 @@ private:
     std::vector<float> distance;  ///< of the pixel's centre to the silhouette
     bool is_open_beyond = true;   ///< whether all is free beyond the image
 
+    std::size_t number_of_pixels() const { return std::size_t(width) * std::size_t(height); }
     std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
-    Vec3 pixel_centre(int x, int y) const
+    Vec3 pixel_centre(std::size_t p) const
     {
+      const int x = int(p % std::size_t(width)), y = int(p / std::size_t(width));
       return Vec3(origin_x + (x + 0.5) * pixel, origin_y + (y + 0.5) * pixel, 0);
     }
-
-    double nearest_height(const Vec3& u) const
+    /// The pixel that holds a place in the image.
+    std::optional<std::size_t> pixel_at(const Vec3& u) const
     {
       const double x = std::floor((u.x() - origin_x) / pixel);
       const double y = std::floor((u.y() - origin_y) / pixel);
       if(!(x >= 0 && y >= 0 && x < width && y < height))
-        return (std::numeric_limits<double>::max)();
-      const float value = nearest[at(int(x), int(y))];
-      return std::isfinite(value) ? double(value) : (std::numeric_limits<double>::max)();
+        return std::nullopt;
+      return at(int(x), int(y));
+    }
+    /// Centres of the pixels that are farther from the data.
+    Points centres_beyond(double from_data) const
+    {
+      Points centres;
+      for(std::size_t p = 0; p < number_of_pixels(); ++p)
+        if(distance[p] > from_data)
+          centres.push_back(pixel_centre(p));
+      return centres;
+    }
+
+    double nearest_height(const Vec3& u) const
+    {
+      const std::optional<std::size_t> p = pixel_at(u);
+      return p && std::isfinite(nearest[*p]) ? double(nearest[*p]) : (std::numeric_limits<double>::max)();
     }
 
     /// Bilinear.
@@ -166,16 +187,14 @@ private:
       sixth[i] = std::sqrt(neighbors.back().squared_distance);
     });
     const Vec3 sides = bounding_box(flat).sides();
-    image.pixel = (std::max)(mean(sixth), std::sqrt(sides.x() * sides.y() / max_pixels));
-    image.pixel = (std::max)(image.pixel, 1e-3);
+    image.pixel = (std::max)({mean(sixth), std::sqrt(sides.x() * sides.y() / max_pixels), least_pixel});
     const Vec3 lower = bounding_box(flat).lower;
     image.origin_x = lower.x() - padding_pixels * image.pixel;
     image.origin_y = lower.y() - padding_pixels * image.pixel;
     image.width = int(sides.x() / image.pixel) + 1 + 2 * padding_pixels;
     image.height = int(sides.y() / image.pixel) + 1 + 2 * padding_pixels;
 
-    const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
-    image.nearest.assign(pixels, -std::numeric_limits<float>::infinity());
+    image.nearest.assign(image.number_of_pixels(), -std::numeric_limits<float>::infinity());
     for(std::size_t i = 0; i < flat.size(); ++i) {
       const int x = int((flat[i].x() - image.origin_x) / image.pixel);
       const int y = int((flat[i].y() - image.origin_y) / image.pixel);
@@ -185,11 +204,9 @@ private:
           value = (std::max)(value, float(height[i]));
         }
     }
-    image.distance.resize(pixels);
-    parallel_for(execution, pixels, [&](std::size_t p) {
-      const Vec3 centre =
-        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
-      image.distance[p] = float(std::sqrt(tree.nearest(centre).squared_distance));
+    image.distance.resize(image.number_of_pixels());
+    parallel_for(execution, image.distance.size(), [&](std::size_t p) {
+      image.distance[p] = float(std::sqrt(tree.nearest(image.pixel_centre(p)).squared_distance));
     });
     if(missed.empty()) {
       close_gaps(execution, image);
@@ -205,27 +222,18 @@ private:
   static void set_missed(const Execution& execution, Image& image, const Points& missed)
   {
     std::vector<char> is_free(image.distance.size(), 0);
-    for(const Vec3& p : missed) {
-      const Vec3 u = image.projection(p);
-      const double x = std::floor((u.x() - image.origin_x) / image.pixel);
-      const double y = std::floor((u.y() - image.origin_y) / image.pixel);
-      if(x >= 0 && y >= 0 && x < image.width && y < image.height) {
-        const std::size_t pixel = image.at(int(x), int(y));
-        is_free[pixel] = char(image.distance[pixel] > 0.7 * image.pixel);
-      }
-    }
+    for(const Vec3& ray : missed)
+      if(const std::optional<std::size_t> p = image.pixel_at(image.projection(ray)))
+        is_free[*p] = char(image.distance[*p] > half_diagonal * image.pixel);
     Points free, solid;
-    for(int y = 0; y < image.height; ++y)
-      for(int x = 0; x < image.width; ++x)
-        (is_free[image.at(x, y)] ? free : solid).push_back(image.pixel_centre(x, y));
+    for(std::size_t p = 0; p < is_free.size(); ++p)
+      (is_free[p] ? free : solid).push_back(image.pixel_centre(p));
     const float far = float(image.pixel * (image.width + image.height));
     const Nearest_neighbors free_tree(free), solid_tree(solid);
     parallel_for(execution, image.distance.size(), [&](std::size_t p) {
-      const Vec3 centre =
-        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
       const Nearest_neighbors& other = is_free[p] ? solid_tree : free_tree;
       const float distance =
-        other.size() == 0 ? far : float(std::sqrt(other.nearest(centre).squared_distance));
+        other.size() == 0 ? far : float(std::sqrt(other.nearest(image.pixel_centre(p)).squared_distance));
       image.distance[p] = is_free[p] ? distance : -distance;
     });
     image.is_open_beyond = false;
@@ -235,35 +243,25 @@ private:
   static void close_gaps(const Execution& execution, Image& image)
   {
     const double reach = closing_pixels * image.pixel;
-    Points outside;
-    for(int y = 0; y < image.height; ++y)
-      for(int x = 0; x < image.width; ++x)
-        if(image.distance[image.at(x, y)] > reach)
-          outside.push_back(image.pixel_centre(x, y));
+    const Points outside = image.centres_beyond(reach);
     if(outside.empty())
       return;
     const Nearest_neighbors tree(outside);
     parallel_for(execution, image.distance.size(), [&](std::size_t p) {
       float& distance = image.distance[p];
-      if(distance > reach || distance <= 0.7 * image.pixel)
+      if(distance > reach || distance <= half_diagonal * image.pixel)
         return;
-      const Vec3 centre =
-        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
-      const double to_outside = std::sqrt(tree.nearest(centre).squared_distance);
+      const double to_outside = std::sqrt(tree.nearest(image.pixel_centre(p)).squared_distance);
       distance = to_outside > reach
                    ? 0.f
-                   : (std::min)(distance, float(reach - to_outside + 0.7 * image.pixel));
+                   : (std::min)(distance, float(reach - to_outside + half_diagonal * image.pixel));
     });
   }
 
   /// Inside of the silhouette the distance to it is negative, so that thin parts survive smoothing.
   static void sign_inside(const Execution& execution, Image& image)
   {
-    Points outside;
-    for(int y = 0; y < image.height; ++y)
-      for(int x = 0; x < image.width; ++x)
-        if(image.distance[image.at(x, y)] > image.pixel)
-          outside.push_back(image.pixel_centre(x, y));
+    const Points outside = image.centres_beyond(image.pixel);
     if(outside.empty())
       return;
     const Nearest_neighbors tree(outside);
@@ -271,9 +269,7 @@ private:
       float& distance = image.distance[p];
       if(distance > image.pixel)
         return;
-      const Vec3 centre =
-        image.pixel_centre(int(p % std::size_t(image.width)), int(p / std::size_t(image.width)));
-      const double inside = std::sqrt(tree.nearest(centre).squared_distance);
+      const double inside = std::sqrt(tree.nearest(image.pixel_centre(p)).squared_distance);
       distance = (std::min)(distance, float(image.pixel - inside));
     });
   }
