@@ -189,8 +189,8 @@ private:
     settings.function = function;
     settings.input = read_input_parameters(function, np, scan.points.size());
     settings.sinking = read_sinking_parameters(function, np);
-    settings.skeleton = read_skeleton_parameters(function, np);
-    settings.surface = read_surface_parameters(function, np);
+    settings.skeleton = read_skeleton_parameters(function, np, settings.sinking.collision_radius);
+    settings.surface = read_surface_parameters(function, np, settings.sinking.smoothing_radius);
     gaps.prior = settings.surface.prior;
     gaps.shrinkage = settings.surface.shrinkage;
     constexpr double no_bound = (std::numeric_limits<double>::max)();

@@ -13,6 +13,8 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <string>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -48,21 +50,13 @@ Input_parameters read_input_parameters(const char* function, const NP& np, std::
   return input;
 }
 
-/// sigma_p: static neighbourhoods on the surface.
-template <typename NP>
-double read_smoothing_radius(const char* function, const NP& np)
+/// A radius of neighbourhoods, in r.
+template <typename NP, typename Tag>
+double read_radius(const char* function, const NP& np, Tag tag, const char* name, double fallback)
 {
-  const double radius = positive(function, np, internal_np::smoothing_radius, "smoothing_radius", 5);
-  require(radius <= 50, function, "smoothing_radius must be at most 50");
-  return radius;
-}
-
-/// sigma_q: dynamic neighbourhoods of inner points.
-template <typename NP>
-double read_collision_radius(const char* function, const NP& np)
-{
-  const double radius = positive(function, np, internal_np::collision_radius, "collision_radius", 2);
-  require(radius <= 50, function, "collision_radius must be at most 50");
+  const double radius = positive(function, np, tag, name, fallback);
+  if(radius > 50)
+    throw_invalid(function, std::string(name) + " must be at most 50");
   return radius;
 }
 
@@ -70,8 +64,8 @@ template <typename NP>
 Sinking_parameters read_sinking_parameters(const char* function, const NP& np)
 {
   Sinking_parameters sinking;
-  sinking.smoothing_radius = read_smoothing_radius(function, np);
-  sinking.collision_radius = read_collision_radius(function, np);
+  sinking.smoothing_radius = read_radius(function, np, internal_np::smoothing_radius, "smoothing_radius", 5);
+  sinking.collision_radius = read_radius(function, np, internal_np::collision_radius, "collision_radius", 2);
   const double omega = positive(function, np, internal_np::collision_angle, "collision_angle", 45);
   require(omega <= 170, function, "collision_angle must be at most 170 degrees");
   sinking.collision_angle = omega * CGAL_PI / 180;
@@ -79,11 +73,12 @@ Sinking_parameters read_sinking_parameters(const char* function, const NP& np)
   return sinking;
 }
 
+/// `collision_radius`: sigma_q, as sinking has it.
 template <typename NP>
-Meso_skeleton_parameters read_skeleton_parameters(const char* function, const NP& np)
+Meso_skeleton_parameters read_skeleton_parameters(const char* function, const NP& np, double collision_radius)
 {
   Meso_skeleton_parameters skeleton;
-  skeleton.collision_radius = read_collision_radius(function, np);
+  skeleton.collision_radius = collision_radius;
   skeleton.repulsion =
     not_negative(function, np, internal_np::skeleton_repulsion, "skeleton_repulsion", 0.4);
   skeleton.epsilon = positive(function, np, internal_np::axis_epsilon, "axis_epsilon", 0.1);
@@ -93,11 +88,12 @@ Meso_skeleton_parameters read_skeleton_parameters(const char* function, const NP
   return skeleton;
 }
 
+/// `smoothing_radius`: sigma_p, as sinking has it.
 template <typename NP>
-Surface_parameters read_surface_parameters(const char* function, const NP& np)
+Surface_parameters read_surface_parameters(const char* function, const NP& np, double smoothing_radius)
 {
   Surface_parameters surface;
-  surface.smoothing_radius = read_smoothing_radius(function, np);
+  surface.smoothing_radius = smoothing_radius;
   surface.repulsion =
     not_negative(function, np, internal_np::surface_repulsion, "surface_repulsion", 0.4);
   surface.data_term = parameter_or(np, internal_np::data_term, Data_term::FULL);
