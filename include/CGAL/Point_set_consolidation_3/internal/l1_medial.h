@@ -135,7 +135,7 @@ private:
         for(int k = 0; k < block.size; ++k)
           w[k] *= m_area[block.index[k]];
         weight += w.sum();
-        median += Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
+        median += block.weighted_offset(w);
       });
       if(weight > 0)
         next[l] += median / weight;

@@ -148,7 +148,7 @@ private:
           weights[k] = 0;
       const auto w = weights.column(block.size);
       weight += w.sum();
-      offsets += Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
+      offsets += block.weighted_offset(w);
     }
     Vec3 mean_offset() const { return weight > 0 ? Vec3(offsets / weight) : Vec3(Vec3::Zero()); }
   };

@@ -36,6 +36,8 @@ struct Neighbor_block {
   Const_column z() const { return Const_column(dz, size); }
   Const_column squared_distance() const { return Const_column(d2, size); }
   Vec3 offset(int k) const { return Vec3(dx[k], dy[k], dz[k]); }
+  /// Sum of the offsets times their weights.
+  Vec3 weighted_offset(const Column& w) const { return Vec3((w * x()).sum(), (w * y()).sum(), (w * z()).sum()); }
 };
 
 /// exp(x) of `lanes` numbers at once for x in [-700, 700], limited to those ends. Relative error 2e-15 down to x =

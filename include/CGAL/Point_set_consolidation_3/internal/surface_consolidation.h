@@ -216,7 +216,7 @@ private:
       sums.density += w.sum();
       w /= block.squared_distance().max(least_distance * least_distance).sqrt();
       sums.attraction += w.sum();
-      sums.offsets += Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
+      sums.offsets += block.weighted_offset(w);
     });
     return sums;
   }
@@ -254,7 +254,7 @@ private:
                      .max(least_repulsion_distance * least_repulsion_distance);
       w /= tangential.square() * tangential.sqrt();
       sums.push_weight += w.sum();
-      sums.push -= Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
+      sums.push -= block.weighted_offset(w);
     });
     sums.push -= n.dot(sums.push) * n;
     return sums;

@@ -109,7 +109,7 @@ Vec3 wlop_repulsion(const Sorted_grid& grid, const std::vector<double>& densitie
     weights.particles(i, block, b);
     const auto w = b.column(block.size);
     total += w.sum();
-    sum -= Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
+    sum -= block.weighted_offset(w);
   });
   return total > 0 ? Vec3(sum / total) : Vec3(Vec3::Zero());
 }
@@ -191,7 +191,7 @@ private:
       m_weights.data(i, block, a);
       const auto w = a.column(block.size);
       total += w.sum();
-      sum += Vec3((w * block.x()).sum(), (w * block.y()).sum(), (w * block.z()).sum());
+      sum += block.weighted_offset(w);
     });
     return total > 0 ? Vec3(x + sum / total) : x;
   }
