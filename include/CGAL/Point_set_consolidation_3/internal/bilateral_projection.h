@@ -14,6 +14,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
+#include <CGAL/number_type_config.h>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -30,7 +32,7 @@ inline void project_bilaterally(Execution& execution, Stage& stage, Points& poin
                                 Points& normals, const std::vector<char>& is_constrained,
                                 const Bilateral_parameters& parameters)
 {
-  constexpr double degree = 3.14159265358979324 / 180;
+  constexpr double degree = CGAL_PI / 180;
   const Bilateral_weights weights{std::cos(parameters.sharpness_angle * degree)};
   const double factor = bilateral_theta_factor / (parameters.radius * parameters.radius);
   const auto for_each_weight = [&](const Sorted_grid& grid, std::size_t i, const auto& body) {

@@ -10,6 +10,8 @@
 
 #include <CGAL/Point_set_consolidation_3/options.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -31,7 +33,7 @@ struct Input_parameters {
 struct Sinking_parameters {
   double smoothing_radius = 5;                    ///< sigma_p: static neighbourhoods on the surface
   double collision_radius = 2;                    ///< sigma_q: dynamic neighbourhoods of inner points
-  double collision_angle = 0.78539816339744831;   ///< omega, radians
+  double collision_angle = CGAL_PI / 4;           ///< omega, radians
   bool closing_step = true;                       ///< go on to where colliding fronts would touch
   std::size_t max_iterations = 200;
 };

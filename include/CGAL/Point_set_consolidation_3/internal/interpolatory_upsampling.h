@@ -10,6 +10,9 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/repulsion.h>
+#include <CGAL/Point_set_consolidation_3/internal/tangent_frame.h>
+
+#include <CGAL/number_type_config.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -27,7 +30,7 @@ class Interpolatory_upsampling {
   static constexpr double least_normal_cosine = 0.3;     ///< neighbours on the same sheet
   static constexpr double ring_separation = 0.86602540378443865;  ///< cos 30 degrees
   static constexpr double first_radius = 3;              ///< of the ring, in d_min
-  static constexpr double two_pi = 6.2831853071795865;
+  static constexpr double two_pi = 2 * CGAL_PI;
   /// Termination is by distance: points are d_min apart in a bounded region. The bounds only guard
   /// against degenerate normals.
   static constexpr std::size_t most_rounds = 64;
@@ -133,10 +136,7 @@ private:
                                   const Points& normals, std::size_t c) const
   {
     const Vec3 &x = points[c], &n = normals[c];
-    Vec3::Index smallest;
-    n.cwiseAbs().minCoeff(&smallest);
-    const Vec3 e1 = normalized_or(n.cross(Vec3(Vec3::Unit(smallest))), Vec3::UnitX());
-    const Vec3 e2 = n.cross(e1);
+    const Tangent_frame tangent(n);
     const double widest = m_parameters.largest_gap / 360 * two_pi;
     std::vector<Ring_point> ring;
     double radius = (std::min)(first_radius * m_parameters.least_distance,
@@ -153,7 +153,7 @@ private:
       std::vector<Vec3> directions;
       for(const auto& candidate : near) {
         const Vec3 d = points[candidate.second] - x;
-        const Vec3 tangential(d.dot(e1), d.dot(e2), 0);
+        const Vec3 tangential(d.dot(tangent.u), d.dot(tangent.v), 0);
         const double length = tangential.norm();
         if(length <= least_tangential_share * std::sqrt(candidate.first))
           continue;

@@ -12,6 +12,9 @@
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
+#include <CGAL/Point_set_consolidation_3/internal/tangent_frame.h>
+
+#include <CGAL/number_type_config.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -61,18 +64,15 @@ inline std::vector<char> peel_open_borders(const Execution& execution, const Poi
   const std::size_t n = points.size();
   std::vector<char> removed(n, 0);
   const Sorted_grid grid(points, parameters.radius);
-  constexpr double degree = 3.14159265358979324 / 180;
+  constexpr double degree = CGAL_PI / 180;
   const auto is_open = [&](std::size_t i) {
     const Vec3& normal = normals[i];
-    Vec3::Index smallest;
-    normal.cwiseAbs().minCoeff(&smallest);
-    const Vec3 e1 = normalized_or(normal.cross(Vec3(Vec3::Unit(smallest))), Vec3::UnitX());
-    const Vec3 e2 = normal.cross(e1);
+    const Tangent_frame tangent(normal);
     std::vector<double> angles;
     grid.for_each_neighbor(points[i], parameters.radius, [&](Index j, double d2) {
       if(j != i && d2 > 0 && !removed[j] && normals[j].dot(normal) > 0) {
         const Vec3 d = points[j] - points[i];
-        angles.push_back(std::atan2(d.dot(e2), d.dot(e1)));
+        angles.push_back(std::atan2(d.dot(tangent.v), d.dot(tangent.u)));
       }
       return true;
     });

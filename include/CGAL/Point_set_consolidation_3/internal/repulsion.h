@@ -14,6 +14,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
+#include <CGAL/number_type_config.h>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -112,7 +114,7 @@ private:
   double largest_arc(const Algebraic_sphere& sphere) const
   {
     const double kappa = std::abs(sphere.curvature());
-    constexpr double quarter_pi = 0.78539816339744831;
+    constexpr double quarter_pi = CGAL_PI / 4;
     const double limit = m_parameters.largest_step * m_parameters.arc_factor;
     return kappa * limit > quarter_pi ? quarter_pi / kappa : limit;
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
 #include <CGAL/Point_set_consolidation_3/internal/raw_scan.h>
+#include <CGAL/Point_set_consolidation_3/internal/tangent_frame.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -107,10 +108,9 @@ private:
   void set_axis(const Vec3& axis)
   {
     m_axis = normalized_or(axis, Vec3::UnitZ());
-    Vec3::Index smallest;
-    m_axis.cwiseAbs().minCoeff(&smallest);
-    m_right = m_axis.cross(Vec3(Vec3::Unit(smallest))).normalized();
-    m_up = m_axis.cross(m_right);
+    const Tangent_frame image(m_axis);
+    m_right = image.u;
+    m_up = image.v;
   }
 
   bool m_is_perspective = false;
