@@ -23,8 +23,8 @@ inline Segmentation segment_points(Execution& execution, double share, const Poi
                                    const Points& normals, const Segmentation_settings& settings)
 {
   constexpr double default_radius = 0.15;  // of the diagonal: a body's width
+  Stage stage(execution, "segmentation", share);
   if(settings.method != Segmentation_method::SKELETON) {
-    Stage stage(execution, "segmentation", share);
     const double h =
       settings.radius > 0 ? settings.radius : default_radius * bounding_box(world).diagonal();
     if(!(h > 0))
@@ -33,7 +33,6 @@ inline Segmentation segment_points(Execution& execution, double share, const Poi
              ? persistence_segments(execution, world, h, settings.prominence, settings.skeleton.count)
              : density_peak_segments(execution, world, h, settings.skeleton.count);
   }
-  Stage stage(execution, "segmentation", share);
   Laplacian_skeleton_parameters parameters;
   parameters.most_samples = 5000;  // seconds on large sets; parts do not depend on it
   Execution silent = {execution.parallel, Progress(), {}};

@@ -38,6 +38,8 @@ class Sinking {
   /// A point whose advance falls below this has settled; 0.1 or 0.005 give the same anchors.
   static constexpr double settled_advance = 0.02;
   static constexpr int normal_smoothing_passes = 2;
+  static constexpr double first_advance = 0.5;
+  static constexpr double farthest_sunk = 0.5;  ///< in diagonals: what is deeper than any shape ran away
 
 public:
   Sinking(Execution& execution, const Points& points, const Points& normals,
@@ -164,7 +166,7 @@ private:
     parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
       if(!is(i, Anchoring::sinking))
         return;
-      double t = 0.5;
+      double t = first_advance;
       if(!is_first) {
         t = 0;
         for(std::size_t k = m_neighbors.begin(i); k < m_neighbors.end(i); ++k)
@@ -195,7 +197,7 @@ private:
   {
     for(std::size_t i = 0; i < m_points.size(); ++i)
       if(is(i, Anchoring::sinking) &&
-         (m_result.anchors[i] - m_points[i]).norm() > 0.5 * m_diagonal)
+         (m_result.anchors[i] - m_points[i]).norm() > farthest_sunk * m_diagonal)
         m_result.anchoring[i] = Anchoring::inherited;
   }
 
@@ -204,6 +206,7 @@ private:
   void close()
   {
     constexpr int max_passes = 1000;
+    constexpr int least_passes = 20;  // in which what was filled evens out
     for(int pass = 0; pass < max_passes; ++pass) {
       std::vector<double> filled = m_closing;
       parallel_for(m_execution, m_points.size(), [&](std::size_t i) {
@@ -220,7 +223,7 @@ private:
         if(weight > 0)
           filled[i] = sum / weight;
       });
-      const bool is_complete = pass >= 20 && filled_count(filled) == filled_count(m_closing);
+      const bool is_complete = pass >= least_passes && filled_count(filled) == filled_count(m_closing);
       m_closing.swap(filled);
       if(is_complete)
         break;

@@ -27,6 +27,10 @@ namespace internal {
 class Skeleton_segmentation {
   /// Ratio of radii from which on two pieces are equally thick, and up to which one branches off the other.
   static constexpr double equally_thick = 0.75, branches_off = 0.6;
+  static constexpr double least_radius = 1e-9;      ///< whose logarithm counts
+  static constexpr double pointless_weight = 1e-3;  ///< of a node without points, in points
+  /// Added to differences of log radii, so that of similar pieces the smaller goes first.
+  static constexpr double least_price = 0.1;
 
 public:
   Skeleton_segmentation(const Skeleton_graph& graph, std::size_t number_of_points,
@@ -61,7 +65,7 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  double radius(std::size_t i) const { return (std::max)(m_graph.nodes[i].radius, m_least_radius); }
+  double radius(std::size_t i) const { return (std::max)(m_graph.nodes[i].radius, least_radius); }
   bool is_joint(std::size_t i) const { return m_neighbors[i].size() > 2; }
 
   /// Pieces of constant log radius, by dynamic programming over the positions of cuts. Nodes without
@@ -111,7 +115,7 @@ private:
     double total = 0, weight = 0;
     for(std::size_t i = 0; i < m_piece.size(); ++i)
       if(m_piece[i] == piece) {
-        const double w = double(m_graph.nodes[i].points.size()) + 1e-3;
+        const double w = double(m_graph.nodes[i].points.size()) + pointless_weight;
         total += w * radius(i);
         weight += w;
       }
@@ -253,7 +257,7 @@ private:
         double difference = 0;
         const std::size_t other = most_similar(k, &difference);
         // small ones first: a limb of many points is worth more than a bulge of the same contrast
-        const double price = (difference + 0.1) * double(size[k] + 1);
+        const double price = (difference + least_price) * double(size[k] + 1);
         if(other != none && price < least) {
           least = price;
           from = k;
@@ -287,7 +291,6 @@ private:
   const Skeleton_graph& m_graph;
   Skeleton_segmentation_parameters m_parameters;
   std::size_t m_number_of_points;
-  double m_least_radius = 1e-9;
   std::vector<std::vector<std::size_t> > m_neighbors;
   std::vector<std::size_t> m_piece;
   std::size_t m_count = 0;
