@@ -91,7 +91,8 @@ figure_parameter_particles() {
   scan armadillo armadillo.off 1 20000 --noise 0.2
   local n panels=()
   for n in 1000 4000 12000; do
-    run "particles_$n.ply" consolidate_point_set "$work/armadillo.ply" --completed "$work/particles_$n.ply" --particles "$n"
+    run "particles_$n.ply" consolidate_point_set "$work/armadillo.ply" --completed "$work/particles_$n.ply" \
+      --particles "$n"
     panels+=(--panel "$n=$work/particles_$n.ply")
   done
   draw parameter_particles "${small[@]}" "${panels[@]}"
@@ -149,9 +150,9 @@ figure_parameter_closing() {
     --panel "with=$work/closing_with.inner.ply"
 }
 figure_method_iterative() {
-  scan outliers armadillo.off 3 20000 --outliers 1
-  run iterative.ply consolidate_point_set "$work/outliers.ply" --method iterative -o "$work/iterative.ply"
-  draw method_iterative "${small[@]}" --panel "input=$work/outliers.ply" --panel "result=$work/iterative.ply"
+  scan iterative_input armadillo.off 3 20000 --outliers 1
+  run iterative.ply consolidate_point_set "$work/iterative_input.ply" --method iterative -o "$work/iterative.ply"
+  draw method_iterative "${small[@]}" --panel "input=$work/iterative_input.ply" --panel "result=$work/iterative.ply"
 }
 figure_method_anisotropic() {
   scan fandisk fandisk.off 4 20000 --noise 0.3
@@ -160,8 +161,8 @@ figure_method_anisotropic() {
   run fandisk_a.ply consolidate_point_set "$input" --method anisotropic-wlop --particles $n -o "$work/fandisk_a.ply"
   run fandisk_u.ply consolidate_point_set "$input" --method anisotropic-wlop --particles $n --upsample 16000 \
     -o "$work/fandisk_u.ply"
-  draw method_anisotropic --height 210 --columns 2 --point-radius 0.012 --panel "input=$input" --panel "WLOP=$work/fandisk_wlop.ply" \
-    --panel "anisotropic=$work/fandisk_a.ply" --panel "up-sampled=$work/fandisk_u.ply"
+  draw method_anisotropic --height 210 --columns 2 --point-radius 0.012 --panel "input=$input" \
+    --panel "WLOP=$work/fandisk_wlop.ply" --panel "anisotropic=$work/fandisk_a.ply" --panel "up-sampled=$work/fandisk_u.ply"
 }
 whole() { scan whole armadillo.off 6 12000; }
 figure_method_segments() {
