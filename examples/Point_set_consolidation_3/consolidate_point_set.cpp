@@ -92,6 +92,8 @@ bool parse(Options& o, int argc, char** argv)
   line.option("--surface-iterations", "N", o.surface_iterations, "iterations of the surface, at most");
   line.option("--completed-spacing", "R", o.completed_spacing,
               "completed regions are filled to this spacing; 0: not at all").at_least(0);
+  line.heading("Iterative consolidation");
+  line.flag("--no-hole-fairing", o.no_hole_fairing, "leave the points that fill a hole where they have grown");
   line.heading("Post-processing");
   line.option("--upsample", "N", o.upsample, "edge-aware up-sampling of the result to N points")
     .default_is("none");

@@ -42,6 +42,7 @@ Consolidation_result consolidate_iteratively(const Scan_ranges& scan,
                     .geom_traits(Kernel())
                     .completed_output_iterator(std::back_inserter(is_new))
                     .confidence_output_iterator(std::back_inserter(confidence))
+                    .hole_fairing(!o.no_hole_fairing)
                     .stage_times(std::ref(result.times))
                     .callback(reporting(progress));
   const auto run = [&](const auto& parameters) {

@@ -34,6 +34,7 @@ struct Consolidation_options {
   double maximum_hole = 0;       ///< in the unit of the input; 0: no bound
   double completed_spacing = 1;  ///< of filled regions, in spacings of the particles
   bool no_closing = false;
+  bool no_hole_fairing = false;  ///< iterative: do not move new points onto a smooth surface
 };
 
 struct Consolidation_result {
