@@ -154,6 +154,15 @@ figure_method_iterative() {
   run iterative.ply consolidate_point_set "$work/iterative_input.ply" --method iterative -o "$work/iterative.ply"
   draw method_iterative "${small[@]}" --panel "input=$work/iterative_input.ply" --panel "result=$work/iterative.ply"
 }
+figure_parameter_hole_fairing() {  # an ellipsoid without a cap at the end of its long axis, z
+  scan ellipsoid ellipsoid.off 6 8000 --truth "$work/ellipsoid.xyz"
+  local input=$work/open_ellipsoid.xyz
+  awk '$3 < 0.25' "$work/ellipsoid.xyz" >"$input"
+  run grown.ply consolidate_point_set "$input" --method iterative -o "$work/grown.ply" --no-hole-fairing
+  run faired.ply consolidate_point_set "$input" --method iterative -o "$work/faired.ply"
+  draw parameter_hole_fairing "${small[@]}" --view 1 0 0 --point-radius 0.025 --panel "input=$input" \
+    --panel "as grown=$work/grown.ply" --panel "faired=$work/faired.ply"
+}
 figure_method_anisotropic() {
   scan fandisk fandisk.off 4 20000 --noise 0.3
   local input=$work/fandisk.ply n=4000
