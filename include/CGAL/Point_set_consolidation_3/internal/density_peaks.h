@@ -11,14 +11,13 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_denser.h>
+#include <CGAL/Point_set_consolidation_3/internal/numbered_segments.h>
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
-
-#include <limits>
-#include <map>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -27,34 +26,6 @@ namespace internal {
 /// Feature-enhanced surfaces paper, section IV.A: segments around peaks of the density. In: points. Out: a
 /// label for every point. Two versions: equation (7), where a point follows its nearest denser point
 /// wherever that is; and the same along a neighbour graph, where peaks of little prominence are merged.
-
-/// Labels become 0, 1, .. in the order of their largest segments; ties in the order of the points.
-inline Segmentation numbered_by_size(const std::vector<std::size_t>& raw)
-{
-  struct Entry {
-    std::size_t size, first, raw;
-  };
-  std::map<std::size_t, Entry> found;
-  for(std::size_t i = 0; i < raw.size(); ++i) {
-    const auto inserted = found.insert({raw[i], Entry{0, i, raw[i]}});
-    ++inserted.first->second.size;
-  }
-  std::vector<Entry> order;
-  order.reserve(found.size());
-  for(const auto& f : found)
-    order.push_back(f.second);
-  std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) {
-    return a.size != b.size ? a.size > b.size : a.first < b.first;
-  });
-  std::map<std::size_t, std::size_t> label;
-  for(std::size_t k = 0; k < order.size(); ++k)
-    label[order[k].raw] = k;
-  Segmentation segmentation;
-  segmentation.count = order.size();
-  for(const std::size_t r : raw)
-    segmentation.labels.push_back(label[r]);
-  return segmentation;
-}
 
 /// Representativeness nu of equation (7), with theta of support radius h, cut at 0.6 h.
 inline std::vector<double> representativeness(const Execution& execution, const Points& points,
@@ -85,95 +56,6 @@ inline std::vector<Index> by_falling_density(const std::vector<double>& density)
   return order;
 }
 
-/// Nearest point of smaller rank, by a tree of boxes whose nodes know their smallest rank.
-class Nearest_denser {
-  static constexpr std::size_t leaf_size = 16;
-
-public:
-  /// `points` in the order of their ranks.
-  explicit Nearest_denser(const Points& points) : m_points(points), m_order(points.size())
-  {
-    std::iota(m_order.begin(), m_order.end(), Index(0));
-    if(!points.empty())
-      build(0, points.size());
-  }
-
-  /// The nearest point of a rank below `rank`; rank must not be 0.
-  Neighbor find(std::size_t rank) const
-  {
-    Neighbor best = {0, std::numeric_limits<double>::max()};
-    search(0, rank, best);
-    return best;
-  }
-
-private:
-  struct Node {
-    Bounding_box box;
-    std::size_t begin, end;
-    Index least_rank;
-    std::size_t right = 0;  ///< the left child follows its parent; 0: a leaf
-  };
-
-  std::size_t build(std::size_t begin, std::size_t end)
-  {
-    const std::size_t place = m_nodes.size();
-    Node node{{}, begin, end, m_order[begin], 0};
-    node.box.lower = node.box.upper = m_points[m_order[begin]];
-    for(std::size_t k = begin; k < end; ++k) {
-      node.box.lower = node.box.lower.cwiseMin(m_points[m_order[k]]);
-      node.box.upper = node.box.upper.cwiseMax(m_points[m_order[k]]);
-      node.least_rank = (std::min)(node.least_rank, m_order[k]);
-    }
-    m_nodes.push_back(node);
-    if(end - begin > leaf_size) {
-      Eigen::Index axis = 0;
-      node.box.sides().maxCoeff(&axis);
-      const std::size_t middle = begin + (end - begin) / 2;
-      std::nth_element(m_order.begin() + std::ptrdiff_t(begin), m_order.begin() + std::ptrdiff_t(middle),
-                       m_order.begin() + std::ptrdiff_t(end), [&](Index a, Index b) {
-                         const double x = m_points[a][axis], y = m_points[b][axis];
-                         return x != y ? x < y : a < b;
-                       });
-      build(begin, middle);
-      m_nodes[place].right = build(middle, end);
-    }
-    return place;
-  }
-
-  static double distance_to_box(const Bounding_box& box, const Vec3& p)
-  {
-    return (p - p.cwiseMax(box.lower).cwiseMin(box.upper)).squaredNorm();
-  }
-
-  void search(std::size_t place, std::size_t rank, Neighbor& best) const
-  {
-    const Node& node = m_nodes[place];
-    const Vec3& query = m_points[rank];
-    if(node.least_rank >= rank || distance_to_box(node.box, query) > best.squared_distance)
-      return;
-    if(node.right == 0) {
-      for(std::size_t k = node.begin; k < node.end; ++k) {
-        const Index other = m_order[k];
-        if(other >= rank)
-          continue;
-        const double d2 = (m_points[other] - query).squaredNorm();
-        if(d2 < best.squared_distance || (d2 == best.squared_distance && other < best.index))
-          best = {other, d2};
-      }
-      return;
-    }
-    const std::size_t left = place + 1;
-    const bool left_first = distance_to_box(m_nodes[left].box, query) <=
-                            distance_to_box(m_nodes[node.right].box, query);
-    search(left_first ? left : node.right, rank, best);
-    search(left_first ? node.right : left, rank, best);
-  }
-
-  const Points& m_points;
-  std::vector<Index> m_order;
-  std::vector<Node> m_nodes;
-};
-
 /// Equation (7). `count`: number of centres, 0: up to the largest drop of log nu + log delta.
 inline Segmentation density_peak_segments(const Execution& execution, const Points& points,
                                           double h, std::size_t count)
@@ -182,9 +64,7 @@ inline Segmentation density_peak_segments(const Execution& execution, const Poin
   const std::size_t n = points.size();
   const std::vector<double> density = representativeness(execution, points, h);
   const std::vector<Index> order = by_falling_density(density);
-  Points ranked(n);
-  for(std::size_t r = 0; r < n; ++r)
-    ranked[r] = points[order[r]];
+  const Points ranked = selected(points, order);
   const Nearest_denser denser(ranked);
   std::vector<std::size_t> parent(n, 0);
   std::vector<double> value(n);  // sp of equation (7), by rank

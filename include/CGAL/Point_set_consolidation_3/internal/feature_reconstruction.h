@@ -114,7 +114,7 @@ public:
     if(m_has_skeleton)
       use_skeleton(to_local(given, m_input.frame));
     else
-      extract_skeleton(stage);
+      m_result.skeleton = skeleton_of_parts(execution, stage, m_input.points, m_input.normals, true);
   }
 
   Feature_enhanced_result run()
@@ -142,20 +142,6 @@ private:
       graph.nodes[tree.nearest(m_input.points[i]).index].points.push_back(i);
     complete_radii(graph, m_input.points);
     m_result.skeleton = std::move(graph);
-  }
-
-  void extract_skeleton(Stage& stage)
-  {
-    Laplacian_skeleton_parameters parameters;
-    parameters.most_samples = 5000;
-    Execution silent = {m_execution.parallel, Progress(), {}};
-    Laplacian_skeletonization skeletonization(silent, m_input.points, m_input.normals, Points(), parameters);
-    skeletonization.contract_until_convergence();
-    stage.update(0.8);
-    skeletonization.thin();
-    skeletonization.recentre();
-    skeletonization.extend_tips();
-    m_result.skeleton = skeletonization.skeleton();
   }
 
   void segment()

@@ -180,6 +180,25 @@ private:
   Skeleton_graph m_graph;
 };
 
+/// The skeleton by which a shape falls into parts, within a stage of another method.
+inline Skeleton_graph skeleton_of_parts(const Execution& execution, Stage& stage, const Points& points,
+                                        const Points& normals, bool extends_tips)
+{
+  Laplacian_skeleton_parameters parameters;
+  parameters.most_samples = 5000;  // seconds on large sets; parts do not depend on it
+  parameters.extend_tips = extends_tips;
+  Execution silent = {execution.parallel, Progress(), {}};
+  Laplacian_skeletonization skeletonization(std::move(silent), points, normals, Points(), parameters);
+  skeletonization.find_rings();
+  stage.update(0.2);
+  skeletonization.contract_until_convergence();
+  stage.update(0.9);
+  skeletonization.thin();
+  skeletonization.recentre();
+  skeletonization.extend_tips();
+  return skeletonization.skeleton();
+}
+
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL

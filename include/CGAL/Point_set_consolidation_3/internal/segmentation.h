@@ -8,8 +8,10 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SEGMENTATION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SEGMENTATION_H
 
+#include <CGAL/Point_set_consolidation_3/internal/density_peaks.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_skeleton.h>
+#include <CGAL/Point_set_consolidation_3/internal/numbered_segments.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_segmentation.h>
 #include <CGAL/Point_set_consolidation_3/options.h>
 
@@ -33,17 +35,7 @@ inline Segmentation segment_points(Execution& execution, double share, const Poi
              ? persistence_segments(execution, world, h, settings.prominence, settings.skeleton.count)
              : density_peak_segments(execution, world, h, settings.skeleton.count);
   }
-  Laplacian_skeleton_parameters parameters;
-  parameters.most_samples = 5000;  // seconds on large sets; parts do not depend on it
-  Execution silent = {execution.parallel, Progress(), {}};
-  Laplacian_skeletonization skeletonization(silent, world, normals, Points(), parameters);
-  skeletonization.find_rings();
-  stage.update(0.2);
-  skeletonization.contract_until_convergence();
-  stage.update(0.9);
-  skeletonization.thin();
-  skeletonization.recentre();
-  const Skeleton_graph skeleton = skeletonization.skeleton();
+  const Skeleton_graph skeleton = skeleton_of_parts(execution, stage, world, normals, false);
   return Skeleton_segmentation(skeleton, world.size(), settings.skeleton).run(world);
 }
 

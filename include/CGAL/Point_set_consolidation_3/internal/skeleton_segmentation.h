@@ -9,8 +9,10 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_SEGMENTATION_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_SEGMENTATION_H
 
-#include <CGAL/Point_set_consolidation_3/internal/density_peaks.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
+#include <CGAL/Point_set_consolidation_3/internal/numbered_segments.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
