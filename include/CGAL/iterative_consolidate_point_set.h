@@ -42,9 +42,9 @@ namespace CGAL {
   less than 49 degrees, the regions that they form continue the data's normals at their rim and have data all around
   (no angle of 92 degrees without, seen from their middle), they reach farther than holes that Poisson reconstruction
   closes by itself, and no border is left open. If less than half of what was added passes, all is taken back: then
-  the gaps are occlusions rather than holes. What fills a hole is moved at the end onto the smooth surface that interpolates
-  the data around it by radial basis functions (`hole_fairing`; not in the paper either): as grown, it has the curvature
-  of the rim only.
+  the gaps are occlusions rather than holes. What fills a hole is moved at the end onto the smooth surface that
+  interpolates the data around it by radial basis functions (`hole_fairing`; not in the paper either): as grown, it has
+  the curvature of the rim only.
 
   Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, and nearer ones that lie off the quadric
   that the points around follow, by more than 2.25 times their median residual, and are sparser than these: off by
@@ -164,8 +164,8 @@ namespace CGAL {
       \cgalParamDefault{`true`}
     \cgalParamNEnd
     \cgalParamNBegin{hole_fairing}
-      \cgalParamDescription{whether the points that fill a hole are moved onto the smooth surface through the data around
-        it; not without `completion_guard`}
+      \cgalParamDescription{whether the points that fill a hole are moved onto the smooth surface through the data
+        around it; not without `completion_guard`}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`}
     \cgalParamNEnd

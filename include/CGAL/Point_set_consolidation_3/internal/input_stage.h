@@ -142,8 +142,9 @@ inline std::size_t number_of_particles(const Input_parameters& parameters, std::
   return parameters.particles > 0 ? (std::min)(parameters.particles, n) : default_particles(n);
 }
 
-/// Outliers that stayed in the scan, as all do where none are looked for, leave lone particles, which would stretch every
-/// box. Those are far from all others: nothing of what tells outliers of the scan from its sparse parts is needed.
+/// Outliers that stayed in the scan, as all do where none are looked for, leave lone particles, which would stretch
+/// every box. These are far from all others: nothing of what tells outliers of the scan from its sparse parts is
+/// needed.
 inline void remove_lone_particles(const Execution& execution, Points& points)
 {
   constexpr std::size_t neighbors = 6;

@@ -113,7 +113,8 @@ struct Guard_parameters {
   double largest_elevation = 0.75;
   /// A region of completed points is taken back as a whole if the data do not close around it: if, seen from its
   /// middle, no data within `opening_reach` distances of the nearest lie in an angle as wide as this, in radians.
-  /// Holes are closed all around; creases between parts that hid each other, and borders of views, are open or long. ...
+  /// Holes are closed all around; creases between parts that hid each other, and borders of views, are open or
+  /// long. ...
   double largest_opening = 1.6;
   double opening_reach = 1.3;
   /// ... or if the rim's normals cancel (length of their mean): around a strip of a tube there is no such plane; ...

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Independent points, uniformly distributed over the area of a soup of triangles; the same for the same arguments. None
-/// if the triangles have no area.
+/// Independent points, uniformly distributed over the area of a soup of triangles; the same for the same arguments.
+/// None if the triangles have no area.
 inline Points random_points_on_triangles(const Points& vertices,
                                          const std::vector<std::array<std::size_t, 3> >& triangles,
                                          std::size_t count, std::uint64_t seed)

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-/// Files of curve skeletons. PLY: vertices `x y z radius`, `element edge` with `vertex1 vertex2`; written in ASCII, read
-/// in ASCII and binary, with any further elements and properties.
+/// Files of curve skeletons. PLY: vertices `x y z radius`, `element edge` with `vertex1 vertex2`; written in ASCII,
+/// read in ASCII and binary, with any further elements and properties.
 
 inline void write_skeleton_ply(std::ostream& out, const Skeleton_graph& graph)
 {
@@ -39,8 +39,8 @@ inline void write_skeleton_ply(std::ostream& out, const Skeleton_graph& graph)
     out << e[0] << ' ' << e[1] << '\n';
 }
 
-/// CGAL's text format: a line per polyline, the number of points, then their coordinates. An isolated node is a polyline
-/// of one point.
+/// CGAL's text format: a line per polyline, the number of points, then their coordinates. An isolated node is a
+/// polyline of one point.
 inline void write_skeleton_polylines(std::ostream& out, const Skeleton_graph& graph)
 {
   out.precision(std::numeric_limits<double>::max_digits10);
