@@ -138,7 +138,8 @@ std::size_t number_of_skeleton_cycles(const Curve_skeleton_3<Kernel>& skeleton)
 
   Edits of curve skeletons (section V and figure 14 of \cgalCite{cgal:ctowz-pcsvl-10}). Vertices are named by their
   descriptors, which are numbers from 0. Functions that remove vertices renumber the others, in their
-  order. Wrong arguments are `std::invalid_argument`, the skeleton is then unchanged.
+  order. Wrong arguments are `std::invalid_argument`, the skeleton is then unchanged. Each edit copies the skeleton, so
+  that it takes at least linear time; a text of edits, `apply_edits()`, copies it once.
 */
 namespace Curve_skeleton_editing {
 

@@ -124,12 +124,12 @@ namespace CGAL {
       \cgalParamDefault{45}
     \cgalParamNEnd
     \cgalParamNBegin{smoothing_radius}
-      \cgalParamDescription{\f$\sigma_p\f$: radius of neighbourhoods on the surface, in units of r}
+      \cgalParamDescription{\f$\sigma_p\f$: radius of neighbourhoods on the surface, in units of r, (0, 50]}
       \cgalParamType{floating scalar value}
       \cgalParamDefault{5}
     \cgalParamNEnd
     \cgalParamNBegin{collision_radius}
-      \cgalParamDescription{\f$\sigma_q\f$: radius of neighbourhoods of inner points, in units of r}
+      \cgalParamDescription{\f$\sigma_q\f$: radius of neighbourhoods of inner points, in units of r, (0, 50]}
       \cgalParamType{floating scalar value}
       \cgalParamDefault{2}
     \cgalParamNEnd

@@ -24,9 +24,8 @@ namespace CGAL {
   shape and the points they stand for.
 
   Topology is right for complete point sets whose parts do not touch: parts closer to each other than a few
-  spacings are joined. On
-  scans from few views, expect the right branches, not the right cycles; `bridge_components()` joins
-  components that missing data have separated.
+  spacings are joined. On scans from few views, expect the right branches, not the right cycles;
+  `bridge_components()` joins components that missing data have separated.
 
   Special inputs: of equal points one is contracted; points that are all equal have a skeleton of one vertex; collinear
   points have one that follows the line.
