@@ -84,6 +84,17 @@ std::size_t particles(const Speed_input& input)
   return static_cast<std::size_t>(particle_share * static_cast<double>(input.points.size()));
 }
 
+/// Times `work(times)`, a function of the package that reports its stages.
+template <typename Work>
+void measure_stages(Stopwatch& watch, const Work& work)
+{
+  Stage_times times;
+  watch.start();
+  work(times);
+  watch.stop();
+  watch.record_stages(times);
+}
+
 }  // namespace
 
 /// Add an operator by one entry: name, operator of CGAL to compare with, largest number of points, call.
@@ -109,50 +120,42 @@ std::vector<Speed_operator> package_operators()
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_with_normal> points = pairs_of(input);
                  std::vector<Point_with_normal> result;
-                 Stage_times times;
-                 watch.start();
-                 CGAL::anisotropic_wlop_simplify_and_regularize_point_set<decltype(tag)>(
-                     points, std::back_inserter(result),
-                     oriented()
-                         .number_of_output_points(particles(input))
-                         .neighbor_radius(particle_radius(input))
-                         .stage_times(std::ref(times)));
-                 watch.stop();
-                 watch.record_stages(times);
+                 measure_stages(watch, [&](Stage_times& times) {
+                   CGAL::anisotropic_wlop_simplify_and_regularize_point_set<decltype(tag)>(
+                       points, std::back_inserter(result),
+                       oriented()
+                           .number_of_output_points(particles(input))
+                           .neighbor_radius(particle_radius(input))
+                           .stage_times(std::ref(times)));
+                 });
                });
   add_operator(list, "deep points", "CGAL WLOP", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const Scan_maps scan(input);
                  std::vector<CGAL::Deep_point_3<Kernel>> result;
-                 Stage_times times;
-                 watch.start();
-                 CGAL::deep_points_consolidate_point_set<decltype(tag)>(
-                     scan.indices, std::back_inserter(result),
-                     scan.named().number_of_output_points(particles(input)).stage_times(std::ref(times)));
-                 watch.stop();
-                 watch.record_stages(times);
+                 measure_stages(watch, [&](Stage_times& times) {
+                   CGAL::deep_points_consolidate_point_set<decltype(tag)>(
+                       scan.indices, std::back_inserter(result),
+                       scan.named().number_of_output_points(particles(input)).stage_times(std::ref(times)));
+                 });
                });
   add_operator(list, "completion", "CGAL WLOP", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const Scan_maps scan(input);
                  std::vector<CGAL::Deep_point_3<Kernel>> result;
-                 Stage_times times;
-                 watch.start();
-                 CGAL::complete_point_set<decltype(tag)>(scan.indices, std::back_inserter(result),
-                                                         scan.named().stage_times(std::ref(times)));
-                 watch.stop();
-                 watch.record_stages(times);
+                 measure_stages(watch, [&](Stage_times& times) {
+                   CGAL::complete_point_set<decltype(tag)>(scan.indices, std::back_inserter(result),
+                                                           scan.named().stage_times(std::ref(times)));
+                 });
                });
   add_operator(list, "iterative consolidation", "CGAL WLOP", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const Scan_maps scan(input);
                  std::vector<Point_with_normal> result;
-                 Stage_times times;
-                 watch.start();
-                 CGAL::iterative_consolidate_point_set<decltype(tag)>(
-                     scan.indices, std::back_inserter(result), scan.named().stage_times(std::ref(times)));
-                 watch.stop();
-                 watch.record_stages(times);
+                 measure_stages(watch, [&](Stage_times& times) {
+                   CGAL::iterative_consolidate_point_set<decltype(tag)>(
+                       scan.indices, std::back_inserter(result), scan.named().stage_times(std::ref(times)));
+                 });
                });
   add_operator(list, "mean shift outliers", "CGAL remove outliers", any_size,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
@@ -175,36 +178,30 @@ std::vector<Speed_operator> package_operators()
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_with_normal> points = pairs_of(input);
                  std::vector<Point_with_normal> result;
-                 Stage_times times;
-                 watch.start();
-                 CGAL::anisotropic_edge_aware_upsample_point_set<decltype(tag)>(
-                     points, std::back_inserter(result),
-                     oriented().number_of_output_points(points.size() * 6 / 5)
-                         .stage_times(std::ref(times)));
-                 watch.stop();
-                 watch.record_stages(times);
+                 measure_stages(watch, [&](Stage_times& times) {
+                   CGAL::anisotropic_edge_aware_upsample_point_set<decltype(tag)>(
+                       points, std::back_inserter(result),
+                       oriented().number_of_output_points(points.size() * 6 / 5)
+                           .stage_times(std::ref(times)));
+                 });
                });
   add_operator(list, "Laplacian skeleton", "CGAL WLOP", 100000,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_3> points = points_of(input);
                  CGAL::Curve_skeleton_3<Kernel> skeleton;
-                 Stage_times times;
-                 watch.start();
-                 CGAL::extract_laplacian_contraction_skeleton<decltype(tag)>(
-                     points, skeleton, parameters::stage_times(std::ref(times)));
-                 watch.stop();
-                 watch.record_stages(times);
+                 measure_stages(watch, [&](Stage_times& times) {
+                   CGAL::extract_laplacian_contraction_skeleton<decltype(tag)>(
+                       points, skeleton, parameters::stage_times(std::ref(times)));
+                 });
                });
   add_operator(list, "L1-medial skeleton", "CGAL WLOP", 100000,
                [](auto tag, const Speed_input& input, Stopwatch& watch) {
                  const std::vector<Point_3> points = points_of(input);
                  CGAL::Curve_skeleton_3<Kernel> skeleton;
-                 Stage_times times;
-                 watch.start();
-                 CGAL::extract_l1_medial_skeleton<decltype(tag)>(
-                     points, skeleton, parameters::stage_times(std::ref(times)));
-                 watch.stop();
-                 watch.record_stages(times);
+                 measure_stages(watch, [&](Stage_times& times) {
+                   CGAL::extract_l1_medial_skeleton<decltype(tag)>(
+                       points, skeleton, parameters::stage_times(std::ref(times)));
+                 });
                });
   return list;
 }

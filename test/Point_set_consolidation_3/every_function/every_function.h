@@ -82,43 +82,28 @@ inline std::vector<Function> all_functions()
 
 // ---- for the definitions --------------------------------------------------------------------
 
-struct Point_map {
+/// A member of the samples; each access is counted.
+template <typename T, T Sample::*member>
+struct Sample_map {
   typedef Sample key_type;
-  typedef Point value_type;
-  typedef Point reference;
+  typedef T value_type;
+  typedef T reference;
   typedef boost::read_write_property_map_tag category;
   const Run* run;
 
-  friend Point get(const Point_map& map, const Sample& sample)
+  friend T get(const Sample_map& map, const Sample& sample)
   {
     map.run->count_access();
-    return sample.point;
+    return sample.*member;
   }
-  friend void put(const Point_map& map, Sample& sample, const Point& point)
+  friend void put(const Sample_map& map, Sample& sample, const T& value)
   {
     map.run->count_access();
-    sample.point = point;
-  }
-};
-
-struct Normal_map {
-  typedef Sample key_type;
-  typedef Vector value_type;
-  typedef Vector reference;
-  typedef boost::read_write_property_map_tag category;
-  const Run* run;
-
-  friend Vector get(const Normal_map& map, const Sample& sample)
-  {
-    map.run->count_access();
-    return sample.normal;
-  }
-  friend void put(const Normal_map& map, Sample& sample, const Vector& normal)
-  {
-    map.run->count_access();
-    sample.normal = normal;
+    sample.*member = value;
   }
 };
+typedef Sample_map<Point, &Sample::point> Point_map;
+typedef Sample_map<Vector, &Sample::normal> Normal_map;
 
 struct Segment_map {
   typedef Sample key_type;
