@@ -45,19 +45,30 @@ struct Deep_points::State {
   Completed_points completed;
   bool has_completion = false;
 
+  /// `work` assigns its results last, so that what stops it leaves the object as it was.
   template <typename Work>
   bool run(Progress_of_stages next, const Work& work)
   {
+    const Progress::Fractions fractions = execution.progress.fractions();
+    const std::size_t timed = execution.times.size();
+    const auto take_back = [&] {
+      execution.progress.set_fractions(fractions);
+      execution.times.resize(timed);
+    };
     try {
       work();
-      if(next == SURFACE_CONSOLIDATED)
-        execution.progress.finish();
     }
     catch(const Cancelled&) {
+      take_back();
       return false;
     }
     catch(const Unusable_input& error) {
+      take_back();
       throw std::invalid_argument(std::string(settings.function) + "(): " + error.what());
+    }
+    catch(...) {
+      take_back();
+      throw;
     }
     stage = next;
     return true;
@@ -92,16 +103,20 @@ struct Deep_points::State {
       if(!input.gaps.priors.empty())
         priors.push_back(input.gaps.priors[c]);
     }
-    surface = Surface_consolidation(execution, input.data, input.points, sunk.normals, skeleton.points,
-                                    settings.surface, free_space(1), frozen, priors)
-                .run(stage);
-    Completed_filling filling(execution, skeleton.points, frozen, surface);
+    Consolidated_surface outer = Surface_consolidation(execution, input.data, input.points, sunk.normals,
+                                                       skeleton.points, settings.surface, free_space(1), frozen,
+                                                       priors)
+                                   .run(stage);
+    Completed_filling filling(execution, skeleton.points, frozen, outer);
     filling.run(settings.surface.completed_spacing);
     filling.close_flat(input.data, data, input.gaps);
-    confidences.resize(surface.points.size());
-    parallel_for(execution, confidences.size(), [&](std::size_t i) {
-      confidences[i] = confidence(std::sqrt(data.nearest(surface.points[i]).squared_distance));
+    std::vector<double> outer_confidences(outer.points.size());
+    parallel_for(execution, outer_confidences.size(), [&](std::size_t i) {
+      outer_confidences[i] = confidence(std::sqrt(data.nearest(outer.points[i]).squared_distance));
     });
+    execution.progress.finish();
+    surface = std::move(outer);
+    confidences = std::move(outer_confidences);
   }
 
   void estimate_seen_part()
@@ -117,20 +132,30 @@ struct Deep_points::State {
 
   void complete_missing_parts()
   {
+    Completed_points missing = missing_parts();
+    execution.progress.finish();
+    completed = std::move(missing);
+    has_completion = true;
+  }
+
+  Completed_points missing_parts()
+  {
     estimate_seen_part();
     const double margin = seen.spacing + (seen.is_noisy ? 3 * seen.noise : 0);
     const Free_space space = free_space(margin);
     Completion_parameters parameters;
     parameters.gaps = input.gaps;
     parameters.gaps.largest = settings.largest_gap / input.frame.unit;
-    if(complete_by_symmetry(space, margin, parameters))
-      return;
+    Completed_points missing;
+    if(complete_by_symmetry(space, margin, parameters, missing))
+      return missing;
     Stage stage(execution, "completion", 0.4);
-    completed = Completion(execution, input, seen, sunk, space, parameters).run(stage);
+    return Completion(execution, input, seen, sunk, space, parameters).run(stage);
   }
 
   /// Completes the scan and its image by the shape's mirror plane; false if no plane is certain.
-  bool complete_by_symmetry(const Free_space& space, double margin, Completion_parameters parameters)
+  bool complete_by_symmetry(const Free_space& space, double margin, Completion_parameters parameters,
+                            Completed_points& missing)
   {
     if(!settings.use_symmetry || space.empty())
       return false;
@@ -148,9 +173,9 @@ struct Deep_points::State {
     }
     Stage stage(execution, "completion", 0.3);
     parameters.gaps = mirrored.input().gaps;
-    completed = Completion(execution, mirrored.input(), mirrored.seen(), all_sunk, mirrored.free_space(margin),
-                           parameters, seen.points.size())
-                  .run(stage);
+    missing = Completion(execution, mirrored.input(), mirrored.seen(), all_sunk, mirrored.free_space(margin),
+                         parameters, seen.points.size())
+                .run(stage);
     return true;
   }
 };
@@ -220,11 +245,8 @@ bool Deep_points::consolidate_outer_points()
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE
 bool Deep_points::complete_missing_parts()
 {
-  return m->has_completion || (sink_inner_points() && m->run(m->stage, [&] {
-    m->complete_missing_parts();
-    m->has_completion = true;
-    m->execution.progress.finish();
-  }));
+  return m->has_completion ||
+         (sink_inner_points() && m->run(m->stage, [&] { m->complete_missing_parts(); }));
 }
 
 CGAL_POINT_SET_CONSOLIDATION_3_INLINE

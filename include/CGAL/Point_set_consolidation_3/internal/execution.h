@@ -52,18 +52,26 @@ public:
   {
     if(!m_callback)
       return;
-    const double value = (std::min)(1., m_done + m_share * (std::min)(1., fraction));
-    m_last = (std::max)(m_last, value);
-    if(!m_callback(m_last))
+    Fractions& f = m_fractions;
+    f.last = (std::max)(f.last, (std::min)(1., f.done + f.share * (std::min)(1., fraction)));
+    if(!m_callback(f.last))
       throw Cancelled();
   }
-  void begin_stage(double share) { m_share = share; }
-  void end_stage() { m_done += m_share; m_share = 0; }
-  void finish() { m_done = 1; m_share = 0; update(1); }
+  void begin_stage(double share) { m_fractions.share = share; }
+  void end_stage() { m_fractions.done += m_fractions.share; m_fractions.share = 0; }
+  void finish() { m_fractions.done = 1; m_fractions.share = 0; update(1); }
+
+  /// Of all: done by earlier stages, the share of the current one, last reported.
+  struct Fractions {
+    double done = 0, share = 0, last = 0;
+  };
+  const Fractions& fractions() const { return m_fractions; }
+  /// For a stage that is stopped and may run again.
+  void set_fractions(const Fractions& fractions) { m_fractions = fractions; }
 
 private:
   std::function<bool(double)> m_callback;
-  double m_done = 0, m_share = 0, m_last = 0;
+  Fractions m_fractions;
 };
 
 /// How a stage runs: in parallel or not, and whom it tells. Results do not depend on it.
