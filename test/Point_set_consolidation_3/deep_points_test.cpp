@@ -21,6 +21,8 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <cassert>
 #include <iostream>
 #include <limits>
@@ -666,6 +668,46 @@ void accepted(const char* name, const std::vector<Point>& points)
            std::abs(vec3(p.normal()).norm() - 1) < 1e-6);
 }
 
+template <typename Value, typename F>
+auto map_of(const F& f)
+{
+  return boost::make_function_property_map<Point, Value>(f);
+}
+
+void bad_views(const std::vector<Point>& points)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto is_bad = [bad = points[17]](const Point& p) { return p == bad; };
+  const auto directions = [=](const Vector& bad) {
+    return params::view_direction_map(
+      map_of<Vector>([=](const Point& p) { return is_bad(p) ? bad : Vector(0, 0, 1); }));
+  };
+  assert(contains(rejected(points, directions(Vector(0, nan, 1))), "view_direction_map is not finite for 1 of"));
+  assert(contains(rejected(points, directions(Vector(0, nan, 1))), "index 17"));
+  assert(contains(rejected(points, directions(Vector(0, 0, 0))), "index 17"));
+
+  const auto views = [=](auto bad) {
+    return directions(Vector(0, 0, 1)).view_index_map(
+      map_of<decltype(bad)>([=](const Point& p) { return is_bad(p) ? bad : decltype(bad)(0); }));
+  };
+  assert(contains(rejected(points, views(-1)), "index 17"));
+  assert(contains(rejected(points, views(100001)), "index 17"));
+  assert(contains(rejected(points, views(std::size_t(-1))), "index 17"));
+  const std::vector<Point> scanners = {Point(0, 0, 9), Point(9, 0, nan)};
+  assert(contains(rejected(points, views(2).scanner_positions(scanners)), "beyond scanner_positions"));
+  assert(contains(rejected(points, views(1).scanner_positions(scanners)), "index 17"));
+  assert(contains(rejected(points, params::scanner_positions(scanners)), "view_index_map"));
+  assert(contains(rejected(points, params::scanner_positions(std::vector<Point>())), "empty"));
+  assert(contains(rejected(points, params::view_index_map(map_of<int>([](const Point&) { return 0; }))),
+                  "view_index_map needs"));
+
+  const auto missed = [=](const Point& p, std::size_t view) {
+    return directions(Vector(0, 0, 1)).missed_rays(std::vector<std::pair<Point, std::size_t> >{{p, view}});
+  };
+  assert(contains(rejected(points, missed(Point(0, nan, 0), 0)), "missed_rays"));
+  assert(contains(rejected(points, missed(Point(0, 0, 0), 1)), "missed_rays"));
+}
+
 void bad_input()
 {
   std::cout << "bad input" << std::endl;
@@ -700,6 +742,7 @@ void bad_input()
   assert(contains(rejected(sphere, params::view_direction_map(
                                      CGAL::Constant_property_map<Point, Vector>(Vector(0, 0, 0)))),
                   "scanner"));
+  bad_views(sphere);
 
   accepted("sphere", sphere);
   std::vector<Point> twice = sphere;

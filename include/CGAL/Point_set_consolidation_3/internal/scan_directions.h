@@ -30,8 +30,8 @@ std::vector<std::size_t> copy_view_indices(const char* function, const PointRang
     const auto map = CGAL::parameters::get_parameter(np, internal_np::view_index_map);
     for(typename PointRange::const_iterator it = range.begin(); it != range.end(); ++it) {
       const auto v = get(map, *it);
-      constexpr long most_views = 100000;
-      if(v < 0 || long(v) > most_views)
+      constexpr unsigned long most_views = 100000;
+      if(v < 0 || static_cast<unsigned long>(v) > most_views)  // std::size_t(-1) too
         throw_invalid(function, "view_index_map is " + std::to_string(v) + " for the point at index " +
                                   std::to_string(view.size()) + ", not in [0, 100000]");
       view.push_back(std::size_t(v));
