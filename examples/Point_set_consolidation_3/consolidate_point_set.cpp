@@ -5,6 +5,7 @@
 
 #include "command_line.h"
 #include "consolidation.h"
+#include "file_bytes.h"
 #include "json.h"
 #include "picture.h"
 #include "ply_file.h"
@@ -106,10 +107,12 @@ bool parse(Options& o, int argc, char** argv)
 void check_outputs(Options& o)
 {
   for(const std::string& file : {o.output, o.completed})
-    if(!file.empty())
-      support::check_point_output(file);
-  if(!o.mesh.empty())
-    support::check_mesh_output(o.mesh);
+    support::check_point_output(file);
+  support::check_mesh_output(o.mesh);
+  for(const std::string& file : {o.inner, o.deep_points})
+    support::check_output(file, {".ply"});
+  support::check_output(o.picture, {".png"});
+  support::check_output(o.json);
   const bool is_deep = o.method == "deep-points";
   if(!is_deep && !(o.inner.empty() && o.deep_points.empty()))
     throw support::Usage_error("--inner and --deep-points need --method deep-points");

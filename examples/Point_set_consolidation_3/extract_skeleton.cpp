@@ -324,8 +324,11 @@ void apply_edits(const Options& options, Skeleton& skeleton)
   }
 }
 
-void check_output(const Options& options)
+void check_outputs(const Options& options)
 {
+  for(const std::string& file : {options.output, options.json})
+    support::check_output(file);
+  support::check_output(options.picture, {".png"});
   for(const char* const end : {".ply", ".polylines.txt", ".cgal"})
     if(ends_with(options.output, end))
       return;
@@ -343,7 +346,7 @@ int main(int argc, char** argv)
     Options options;
     if(!parse(options, argc, argv))
       return;
-    check_output(options);
+    check_outputs(options);
     const support::Thread_limit threads(options.threads);
     support::Progress_bar progress("skeleton", options.quiet);
     Run run{options, progress};

@@ -44,6 +44,7 @@ bool parse(Options& o, int argc, char** argv)
     return false;
   if(o.panels.empty())
     throw support::Usage_error("--panel is missing");
+  support::check_output(o.output, {".png"});
   return true;
 }
 

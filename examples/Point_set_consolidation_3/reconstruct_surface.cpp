@@ -260,6 +260,8 @@ int main(int argc, char** argv)
     if(!parse(options, argc, argv))
       return;
     support::check_mesh_output(options.output);
+    support::check_output(options.picture, {".png"});
+    support::check_output(options.json);
     const support::Thread_limit threads(options.threads);
     support::Progress_bar progress("surface", options.quiet);
     Run run{options, progress};

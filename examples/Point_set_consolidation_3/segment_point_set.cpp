@@ -64,8 +64,9 @@ bool parse(Options& options, int argc, char** argv)
     return false;
   if(options.output.empty())
     throw support::Usage_error("--output is missing");
-  if(support::extension(options.output) != ".ply")
-    throw support::File_error(options.output + ": the extension is not .ply");
+  support::check_output(options.output, {".ply"});
+  support::check_output(options.picture, {".png"});
+  support::check_output(options.json);
   return true;
 }
 

@@ -70,6 +70,7 @@ printf 'OFF\n4294967295000 1 1\n1 2 3\n' >huge.off
 printf 'LASF\000\000\000\000' >short.las
 head -c 400 garbage.bin >garbage.las
 for extension in ply off las; do cp garbage.bin garbage_1.$extension; done
+{ printf 'ply\nformat binary_little_endian 1.0\nelement vertex 300\n'"$header"; head -c 3599 garbage.bin; } >truncated.ply
 cp good.xyz good.ply
 cp good.xyz good.abc
 cp good.xyz good
@@ -77,7 +78,7 @@ cp good.xyz good
 # ---- every program: usage, unreadable input, unwritable output --------------------------------
 
 bad_files="empty.ply empty.xyz folder.ply two_columns.xyz words.xyz garbage_tail.xyz nan.xyz inf.xyz lying.ply
-lying_binary.ply negative.ply too_many.ply no_end.ply only_x.ply lying.off huge.off short.las garbage.las
+lying_binary.ply truncated.ply negative.ply too_many.ply no_end.ply only_x.ply lying.off huge.off short.las garbage.las
 garbage_1.ply garbage_1.off good.ply good.abc good missing.ply"
 
 for program in consolidate_point_set extract_skeleton segment_point_set reconstruct_surface; do
@@ -103,6 +104,19 @@ for program in consolidate_point_set extract_skeleton segment_point_set reconstr
   done
   expect 2 "no_folder" $program good.xyz -o no_folder/result.ply
   expect 2 "result.abc" $program good.xyz -o out/result.abc
+  # Before the work, not after it.
+  expect 2 "picture.jpg" $program good.xyz -o $output --picture out/picture.jpg
+  expect 2 "no_folder" $program good.xyz -o $output --picture no_folder/picture.png
+  expect 2 "no_folder" $program good.xyz -o $output --json no_folder/report.json
+done
+for option in --inner --deep-points; do
+  expect 2 "inner.xyz" consolidate_point_set good.xyz -o out/result.ply $option out/inner.xyz
+done
+expect 1 "--panel" make_picture out/picture.png
+expect 1 "--panel" make_picture out/picture.png --panel title
+expect 2 "picture.abc" make_picture out/picture.abc --panel points=good.xyz
+for file in $bad_files; do
+  expect 2 "$file" make_picture out/picture.png --panel points=$file
 done
 
 # ---- options out of their range ---------------------------------------------------------------
@@ -182,6 +196,15 @@ if [ -c /dev/full ]; then
   expect 2 "full.ply" consolidate_point_set good.xyz -o full.ply --particles 60
   # The result itself was written before.
   expect 2 "full.json" segment_point_set good.xyz -o kept_result.ply --json full.json
+  ln -s /dev/full full.off
+  ln -s /dev/full full.png
+  expect 2 "full.off" reconstruct_surface good.xyz -o full.off
+  expect 2 "full.png" make_picture full.png --panel points=good.xyz
+  for option in "--completed full.ply" "--inner full.ply" "--deep-points full.ply" "--mesh full.off" \
+                "--picture full.png"; do
+    # shellcheck disable=SC2086
+    expect 2 "${option#* }" consolidate_point_set good.xyz --particles 60 $option
+  done
 fi
 # A disk that is full after a kilobyte: what was begun is taken away.
 expect_full() {

@@ -129,8 +129,12 @@ void check_extension(const std::string& file, std::initializer_list<const char*>
                 + " (known: " + list + ")");
 }
 
-void check_folder(const std::string& file)
+void check_output(const std::string& file, std::initializer_list<const char*> known)
 {
+  if(file.empty())
+    return;
+  if(known.size() > 0)
+    check_extension(file, known);
   const fs::path folder = fs::path(file).parent_path();
   std::error_code ignored;
   if(!folder.empty() && !fs::is_directory(folder, ignored))

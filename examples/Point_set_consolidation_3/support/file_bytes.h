@@ -37,8 +37,10 @@ std::string extension(const std::string& file);
 /// \throws File_error if the extension is none of `known`; the message lists them.
 void check_extension(const std::string& file, std::initializer_list<const char*> known);
 
-/// \throws File_error if the folder in which `file` would be written does not exist.
-void check_folder(const std::string& file);
+/// Before long work whose result goes into `file`; an empty name is an output that is not wanted. No `known`: any
+/// extension.
+/// \throws File_error if the extension is none of `known`, or the folder does not exist.
+void check_output(const std::string& file, std::initializer_list<const char*> known = {});
 
 /// \throws File_error if a coordinate is not finite; the message counts the points.
 void check_finite(const std::string& file, const std::vector<Vec3>& points);

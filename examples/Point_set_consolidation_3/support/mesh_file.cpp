@@ -310,8 +310,7 @@ Triangle_mesh read_mesh(const std::string& file)
 
 void check_mesh_output(const std::string& file)
 {
-  check_extension(file, {".off", ".ply", ".obj", ".stl"});
-  check_folder(file);
+  check_output(file, {".off", ".ply", ".obj", ".stl"});
 }
 
 void write_mesh(const std::string& file, const Triangle_mesh& mesh)

@@ -260,8 +260,7 @@ Point_cloud read_point_cloud(const std::string& file)
 
 void check_point_output(const std::string& file)
 {
-  check_extension(file, {".ply", ".xyz", ".pwn", ".off", ".noff"});
-  check_folder(file);
+  check_output(file, {".ply", ".xyz", ".pwn", ".off", ".noff"});
 }
 
 void write_point_cloud(const std::string& file, const Point_cloud& cloud)

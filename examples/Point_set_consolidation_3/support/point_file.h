@@ -47,7 +47,8 @@ Segment_graph read_segment_graph(const std::string& file);
 void write_segment_graph(const std::string& file, const Segment_graph& graph);
 
 /// To be called before hours of work rather than after them: throws `File_error` if the extension
-/// is not one that `write_point_cloud()` / `write_mesh()` writes, or the folder does not exist.
+/// is not one that `write_point_cloud()` / `write_mesh()` writes, or the folder does not exist. An empty
+/// name is an output that is not wanted.
 void check_point_output(const std::string& file);
 void check_mesh_output(const std::string& file);
 
