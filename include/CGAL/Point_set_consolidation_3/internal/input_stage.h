@@ -107,6 +107,19 @@ inline Points wlop(Execution& execution, Stage& stage, const Points& data, std::
   return points;
 }
 
+/// The points that do not coincide with all of their nearest others.
+inline Points points_with_extent(const Execution& execution, const Points& points, unsigned int neighbors)
+{
+  constexpr double least = 1e-100;  // squares do not vanish
+  const std::vector<double> distance =
+    neighbor_distances(execution, Nearest_neighbors(points), points, neighbors);
+  Points result;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(distance[i] > least)
+      result.push_back(points[i]);
+  return result;
+}
+
 /// Unoriented normals by CGAL's jet fitting; +z where the fit fails.
 inline Points jet_normals(const Execution& execution, const Points& points, unsigned int neighbors)
 {
@@ -116,6 +129,15 @@ inline Points jet_normals(const Execution& execution, const Points& points, unsi
   // a jet of degree 2 needs six points; small sets get a plane
   constexpr std::size_t jet_points = 6;
   neighbors = (unsigned int)((std::min)(std::size_t(neighbors), points.size() - 1));
+  // CGAL divides by the extent of the neighbours; where it is 0, Eigen's decomposition reads what it has not written
+  const Points others = points_with_extent(execution, points, neighbors);
+  if(others.size() < points.size()) {
+    const Points of_others = jet_normals(execution, others, neighbors);
+    const Nearest_neighbors tree(others);
+    for(std::size_t i = 0; i < points.size() && !others.empty(); ++i)
+      normals[i] = of_others[tree.nearest(points[i]).index];
+    return normals;
+  }
   std::vector<Index> indices = all_indices(points.size());
   const auto np =
     CGAL::parameters::point_map(Indexed_point_map{&points}).normal_map(Indexed_normal_map{&normals});
