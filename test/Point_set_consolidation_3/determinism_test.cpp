@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Every function: the same bits for `Sequential_tag`, again, and for `Parallel_tag` with 1, 2, 4 and 8
-// threads.
+// threads. A call that is repeated leaves no memory behind.
 
 #undef NDEBUG
 
@@ -17,6 +17,10 @@
 #include <cstring>
 #include <iostream>
 #include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
 
@@ -42,6 +46,19 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b)
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
+/// Anything kept for each of the points takes more; what the library keeps back for itself, less.
+constexpr std::size_t least_cache = 4096;
+
+/// Bytes in use; 0 if the library cannot tell.
+std::size_t bytes_in_use()
+{
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+  return ::mallinfo2().uordblks;
+#else
+  return 0;
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char* argv[])
@@ -58,6 +75,9 @@ int main(int argc, char* argv[])
     const std::vector<double> reference = result(function, cloud, false);
     std::cout << ": " << reference.size() << " numbers" << std::endl;
     assert(same_bits(reference, result(function, cloud, false)));
+    const std::size_t in_use = bytes_in_use();
+    assert(same_bits(reference, result(function, cloud, false)));
+    assert(bytes_in_use() < in_use + least_cache);
 #ifdef CGAL_LINKED_WITH_TBB
     for(const std::size_t threads : {1, 2, 4, 8}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
