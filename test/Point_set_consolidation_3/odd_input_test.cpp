@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Odd and bad point sets, for every function: either a named error, or finite points that stay near the
-// input and unit normals; never a hang or a silent empty result.
+// input and unit normals; never a hang or a silent empty result, and memory that is bounded by the number of points,
+// not by the size of their box.
 // Arguments: [PART OF A FUNCTION'S NAME [PART OF A POINT SET'S NAME]]
 
 #include "every_function/clouds.h"
@@ -15,7 +16,17 @@
 #include <stdexcept>
 #include <string>
 
+#include <sys/resource.h>
 #include <unistd.h>
+
+// Sanitizers reserve terabytes of addresses.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define MEMORY_IS_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define MEMORY_IS_SANITIZED
+#endif
+#endif
 
 namespace {
 
@@ -23,6 +34,17 @@ using namespace every_function;
 
 // Far more than any of these small sets needs, also with sanitizers.
 constexpr unsigned int seconds_until_it_hangs = 120;
+
+/// Beyond this many bytes allocations fail: the largest grids take half a gigabyte.
+void limit_memory()
+{
+#ifndef MEMORY_IS_SANITIZED
+  constexpr rlim_t most = 2000000000;
+  const rlimit limit = {most, most};
+  if(::setrlimit(RLIMIT_AS, &limit) != 0)
+    std::abort();
+#endif
+}
 
 bool contains(const std::string& text, const std::string& part)
 {
@@ -137,6 +159,7 @@ bool is_well_treated(const Function& function, const Cloud& cloud, int index)
 
 int main(int argc, char* argv[])
 {
+  limit_memory();
   std::size_t faults = 0;
   int index = 0;
   for(const Function& function : all_functions()) {

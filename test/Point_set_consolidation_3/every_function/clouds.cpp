@@ -97,6 +97,10 @@ void degenerate(std::vector<Cloud>& clouds)
   clouds.push_back(two_places);
   clouds.push_back(most_equal);
 
+  Cloud quarter_equal = open_capsule(150, 4);
+  quarter_equal.samples.insert(quarter_equal.samples.end(), 50, up(1, 0, 1));
+  clouds.push_back(named("a quarter equal", quarter_equal));
+
   Cloud twice = open_capsule(150, 4);
   const std::vector<Sample> once = twice.samples;
   twice.samples.insert(twice.samples.end(), once.begin(), once.end());
@@ -141,6 +145,8 @@ void far_apart(std::vector<Cloud>& clouds)
     outliers.samples.push_back({Point(20 * numbers.signed_unit(), 20 * numbers.signed_unit(),
                                       20 * numbers.signed_unit()), numbers.direction(), 0});
   clouds.push_back(named("nearly half outliers", outliers));
+  outliers.samples.erase(outliers.samples.begin() + 22, outliers.samples.begin() + 250);
+  clouds.push_back(named("nine of ten outliers", outliers));
   clouds.push_back(named("georeferenced", transformed(capsule, 1, Vector(256075, 3935300, 120))));
   clouds.push_back(named("unit of 1e-20", transformed(capsule, 1e-20, Vector(0, 0, 0))));
   clouds.push_back(named("unit of 1e20", transformed(capsule, 1e20, Vector(0, 0, 0))));
