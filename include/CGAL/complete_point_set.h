@@ -18,14 +18,13 @@ namespace CGAL {
   completes a point set for meshing: writes points where data are missing, and optionally the denoised,
   oriented positions of the caller's points. Both together go into Poisson reconstruction.
 
-  The deep points of \cgalCite{cgal:wshcl-dpc-15}, section 4.1, give each point of the consolidated
-  set a ball inside of the shape. Balls are clipped by the data and by the space that rays have passed; their
-  union is smoothed and sampled farther than six spacings from the data: smaller gaps are bridged better by the
-  mesher. Narrow gaps between views without noise are closed by Hermite radial basis function surfaces through the data
-  around \cgalCite{cgal:mgv-hrbfi-11} where these predict that they are good. If the scan shows that the shape has a
-  mirror plane, the measured side completes the other one. This is not
-  the paper's own completion, which `deep_points_consolidate_point_set()` offers; it is more accurate on shapes that
-  are no tubes.
+  The deep points of \cgalCite{cgal:wshcl-dpc-15}, section 4.1, give each point of the consolidated set a ball inside
+  of the shape. Balls are clipped by the data and by the space that rays have passed; their union is smoothed and
+  sampled as densely as the data, farther than six spacings from them: smaller gaps are bridged better by the mesher.
+  Narrow gaps between views without noise are closed by Hermite radial basis function surfaces through the data around
+  \cgalCite{cgal:mgv-hrbfi-11} where these predict that they are good. If the scan shows that the shape has a mirror
+  plane, the measured side completes the other one. This is not the paper's own completion, which
+  `deep_points_consolidate_point_set()` offers; it is more accurate on shapes that are no tubes.
 
   The input is neither changed nor reordered; the result does not depend on `ConcurrencyTag`, bit for bit.
 

@@ -44,15 +44,16 @@ namespace CGAL {
   closes by itself, and no border is left open. If less than half of what was added passes, all is taken back: then
   the gaps are occlusions rather than holes. What fills a hole is moved at the end onto the smooth surface that
   interpolates the data around it by radial basis functions (`hole_fairing`; not in the paper either): as grown, it has
-  the curvature of the rim only.
+  the curvature of the rim only. There, points are inserted until they are as dense as the data.
 
-  Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, and nearer ones that lie off the quadric
-  that the points around follow, by more than 2.25 times their median residual, and are sparser than these: off by
-  0.073 \f$h\f$ if the distances of their neighbours are 1.35 times those around, by 0.13 \f$h\f$ if 1.2 times, by
-  0.17 \f$h\f$ if not denser. If few near ones are found, less than 1 % of the points or a quarter of the far ones, they
-  are no layer of noise but single points out of the space around: those off by 0.1 \f$h\f$ and twice as sparse. Nearer
-  ones than \f$h\f$ are kept if all outliers are less than 0.5 % of the points: so many lie on tips and creases of clean
-  scans.
+  Outliers are points farther than 0.35 \f$h\f$ from the up-sampled surface, but for patches of at least 30 points
+  that are as dense and as smooth as the others (parts seen apart, not in the paper), and nearer ones that lie off the
+  quadric that the points around follow, by more than 2.25 times their median residual, and are sparser than these:
+  off by 0.073 \f$h\f$ if the distances of their neighbours are 1.35 times those around, by 0.13 \f$h\f$ if 1.2 times,
+  by 0.17 \f$h\f$ if not denser. If few near ones are found, less than 1 % of the points or a quarter of the far ones,
+  they are no layer of noise but single points out of the space around: those off by 0.1 \f$h\f$ and twice as sparse.
+  Nearer ones than \f$h\f$ are kept if all outliers are less than 0.5 % of the points: so many lie on tips and creases
+  of clean scans.
 
   Defaults that differ from the print were chosen by tests; `printed_values(true)` sets the printed ones:
   one repulsion step per iteration with the printed angle, minimum spacing \f$h/3\f$, data are outliers beyond
@@ -154,7 +155,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{far_outlier_distance}
       \cgalParamDescription{points farther than this from the up-sampled surface are outliers, in units of
-        \f$h\f$}
+        \f$h\f$, but for patches as dense and as smooth as the others}
       \cgalParamType{floating scalar value}
       \cgalParamDefault{0.35; with 1, as printed, clusters stay}
     \cgalParamNEnd
@@ -165,7 +166,7 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{hole_fairing}
       \cgalParamDescription{whether the points that fill a hole are moved onto the smooth surface through the data
-        around it; not without `completion_guard`}
+        around it, and filled up to the density of the data there; not without `completion_guard`}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`}
     \cgalParamNEnd

@@ -425,7 +425,13 @@ void missed_rays()
     return count;
   };
   assert(in_dropout(params::closing_step(true)) == 0);   // taken for seen through
-  assert(in_dropout(params::missed_rays(missed)) > 50);
+  // as dense as the data
+  const auto seen = double(std::count_if(whole.points.begin(), whole.points.end(), [](const Vec3& p) {
+    return p.z() > 0.5 && std::hypot(p.x(), p.y()) < 0.3;
+  }));
+  const auto completed = double(in_dropout(params::missed_rays(missed)));
+  std::cout << "  a whole scan has " << seen << std::endl;
+  assert(completed > 0.5 * seen && completed < 1.5 * seen);
 }
 
 /// Anchors and skeletal points of a scan.

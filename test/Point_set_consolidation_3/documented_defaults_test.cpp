@@ -380,7 +380,7 @@ void iterative()
   };
   f.check({{"particle_fraction", no_effect}, {"number_of_iterations", no_effect}, {"adaptive", no_effect},
            {"two_phases", no_effect}, {"repulsion_weight", no_effect}, {"number_of_repulsion_steps", no_effect},
-           {"minimum_spacing", no_effect}, {"far_outlier_distance", 0.05}, {"completion_guard", no_effect},
+           {"minimum_spacing", no_effect}, {"far_outlier_distance", 50}, {"completion_guard", no_effect},
            {"hole_fairing", no_effect}, {"printed_values", no_effect}, {"random_seed", no_effect},
            {"orientation_is_hint", 1}},
           [&] { return run(maps); }, [&](const Values& v) { return with(maps, v); });
@@ -388,7 +388,7 @@ void iterative()
   const auto unguarded = maps.completion_guard(false);
   f.check({{"particle_fraction", 0.2}, {"number_of_iterations", 0}, {"adaptive", no_effect}, {"two_phases", 1},
            {"repulsion_weight", 0.2}, {"number_of_repulsion_steps", 3}, {"minimum_spacing", 0.2},
-           {"far_outlier_distance", 0.05}, {"hole_fairing", no_effect}, {"printed_values", no_effect},
+           {"far_outlier_distance", 50}, {"hole_fairing", no_effect}, {"printed_values", no_effect},
            {"random_seed", 1}, {"orientation_is_hint", 1}},
           [&] { return run(unguarded); },
           [&](Values v) {

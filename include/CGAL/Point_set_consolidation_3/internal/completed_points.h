@@ -16,11 +16,6 @@ namespace internal {
 
 /// Points where data are missing. `inner` and the flags are known at the end only.
 struct Completed_points {
-  /// In sp: least distance of completed points. As many per area as a scan has, in which sp, the mean distance to six
-  /// neighbours, is 1.2 times the pitch: Poisson reconstruction weighs points alike, and the level that it extracts
-  /// moves off the data if there are fewer elsewhere.
-  static constexpr double clearance = 0.7;
-
   Points points, normals, inner;
   std::vector<double> distance;       ///< to the nearest datum, in r
   std::vector<double> uncertainty;    ///< to the nearest datum or image of one by symmetry, in r

@@ -202,11 +202,12 @@ private:
            (std::max)(thin, (std::min)(m_parameters.least_gap, ball_radius / m_seen.spacing));
   }
 
-  /// The surface of the solid where no data are near.
+  /// The surface of the solid where no data are near, as dense as the data: Poisson reconstruction weighs points alike,
+  /// and the level that it extracts moves off the data if there are fewer elsewhere.
   Completed_points sample(const Scalar_grid& solid) const
   {
     Points samples = Zero_set_samples::find(m_execution, solid, Ball_union::outside(solid));
-    samples = selected(samples, thinned(samples, Completed_points::clearance * m_seen.spacing));
+    samples = selected(samples, thinned(samples, scan_clearance * m_seen.spacing));
     std::vector<double> distance(samples.size()), least(samples.size());
     parallel_for(m_execution, samples.size(), [&](std::size_t i) {
       distance[i] = data_distance(samples[i]);
@@ -324,7 +325,7 @@ private:
         backs.normals.push_back(-m_seen.normals[j]);
         backs.distance.push_back(data_distance(back[j]));
       }
-    return backs.part(thinned(backs.points, Completed_points::clearance * sp));
+    return backs.part(thinned(backs.points, scan_clearance * sp));
   }
 
   /// The correction may have moved points to where a ray has passed.

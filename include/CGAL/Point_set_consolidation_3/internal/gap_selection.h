@@ -35,7 +35,7 @@ class Gap_selection {
   static constexpr double wide_gap = 10;          ///< in r: half its width; never bridged well
   static constexpr double predictable = 0.12;     ///< of the balls' radius: between scans that gained and lost
   static constexpr double largest_miss = 6;       ///< in r: farther is equally wrong
-  static constexpr double least_share = 0.035;    ///< of the data: gaps with fewer points in all are bridged well
+  static constexpr double least_share = 0.06;     ///< of the data: gaps with fewer points in all are bridged well
   /// Smooth closures predict their error: they are trusted up to these shares of half the gap's width, by which they
   /// deviate, and by which they move the hull of the balls. Where the hull is trusted, they must be better: the
   /// mesher misses by 0.12, the hull by 0.07.
@@ -198,7 +198,7 @@ private:
         distance.push_back(d);
       }
     }
-    const std::vector<Index> kept = thinned(points, Completed_points::clearance * m_seen.spacing);
+    const std::vector<Index> kept = thinned(points, scan_clearance * m_seen.spacing);
     gap.points = selected(points, kept);
     gap.distance = selected(distance, kept);
     gap.normals.assign(kept.size(), plane.normal);

@@ -38,6 +38,8 @@ class Iterative_consolidation {
   static constexpr std::size_t least_new_points = 20;   ///< fewer are the noise of the selection
   static constexpr double first_phase_radius = 0.6;     ///< of h, in the first of two phases
   static constexpr double region_radius = 0.4;          ///< of h: up-sampled points of one sheet
+  static constexpr std::size_t spacing_neighbors = 6;
+  static constexpr int most_filling_passes = 8;         ///< each about halves the widest gaps
   /// Neighbourhoods of 20 particles need some hundreds of them.
   static constexpr std::size_t least_particles = 500;
 
@@ -340,12 +342,9 @@ private:
         added_normals.push_back(m_normals[i]);
       }
     const Nearest_neighbors data(m_kept_points);
-    for(const Index i : accepted_points(added, added_normals, data)) {
-      m_result.new_points.push_back(added[i]);
-      m_result.new_normals.push_back(added_normals[i]);
-      const double distance = std::sqrt(data.nearest(added[i]).squared_distance);
-      m_result.new_confidence.push_back(confidence(distance / spacing()));
-    }
+    accept(added, added_normals, data);
+    for(const Vec3& x : m_result.new_points)
+      m_result.new_confidence.push_back(confidence(std::sqrt(data.nearest(x).squared_distance) / spacing()));
     m_result.normals.assign(m_input.points.size(), Vec3::UnitZ());
     for(std::size_t k = 0; k < m_number_of_kept; ++k)
       m_result.normals[m_original[k]] = m_normals[k];
@@ -357,42 +356,81 @@ private:
     m_result.support_radius = m_h;
   }
 
-  /// Of the added points, those in regions that close a hole; they are moved to fair surfaces.
-  std::vector<Index> accepted_points(Points& added, Points& normals, const Nearest_neighbors& data) const
+  /// Of the added points, takes over those in regions that close a hole, moved to fair surfaces.
+  void accept(const Points& added, const Points& normals, const Nearest_neighbors& data)
   {
     if(added.empty())
-      return {};
+      return;
     std::vector<std::vector<Index> > regions = connected_components(added, region_radius * m_h);
     for(std::vector<Index>& members : regions)
       std::sort(members.begin(), members.end());  // sums in the points' order
     const std::vector<char> is_doubtful =
       m_guard.doubtful_regions(m_execution, added, normals, regions, m_points.size() - m_number_of_kept);
-    if(m_parameters.fairs_holes && m_parameters.guard.enabled) {  // without guard, regions need not be holes
-      const Rim_surfaces surfaces(m_kept_points, m_kept_normals, data, m_h);
-      parallel_for(m_execution, regions.size(), [&](std::size_t k) {
-        if(!is_doubtful[k])
-          fair_hole(surfaces, regions[k], added, normals);
-      });
-    }
-    std::vector<Index> accepted;
+    std::vector<Hole> holes(regions.size());
     for(std::size_t k = 0; k < regions.size(); ++k)
       if(!is_doubtful[k])
-        accepted.insert(accepted.end(), regions[k].begin(), regions[k].end());
-    std::sort(accepted.begin(), accepted.end());
-    return accepted;
+        holes[k] = {selected(added, regions[k]), selected(normals, regions[k])};
+    if(m_parameters.fairs_holes && m_parameters.guard.enabled) {  // without guard, regions need not be holes
+      const Rim_surfaces surfaces(m_kept_points, m_kept_normals, data, m_h);
+      const double clearance =
+        scan_clearance * median(neighbor_distances(m_execution, data, m_kept_points, spacing_neighbors));
+      parallel_for(m_execution, holes.size(), [&](std::size_t k) {
+        if(!holes[k].points.empty())
+          fair(surfaces, data, clearance, holes[k]);
+      });
+    }
+    for(const Hole& hole : holes) {
+      m_result.new_points.insert(m_result.new_points.end(), hole.points.begin(), hole.points.end());
+      m_result.new_normals.insert(m_result.new_normals.end(), hole.normals.begin(), hole.normals.end());
+    }
   }
 
-  /// Moves `members`, which fill a hole, onto the smooth surface through the data around; not where a ray has passed.
-  void fair_hole(const Rim_surfaces& surfaces, const std::vector<Index>& members, Points& points, Points& normals) const
+  /// What fills a hole.
+  struct Hole {
+    Points points, normals;
+  };
+
+  /// Moves it onto the smooth surface through the data around, and fills it up there; not where a ray has passed.
+  void fair(const Rim_surfaces& surfaces, const Nearest_neighbors& data, double clearance, Hole& hole) const
   {
-    Points hole = selected(points, members), hole_normals = selected(normals, members);
-    if(!surfaces.around(hole).project(hole, hole_normals) ||
-       std::any_of(hole.begin(), hole.end(), [&](const Vec3& x) { return m_guard.is_seen_through(x); }))
+    const Hermite_surface surface = surfaces.around(hole.points);
+    Hole moved = hole;
+    if(!surface.project(moved.points, moved.normals) ||
+       std::any_of(moved.points.begin(), moved.points.end(),
+                   [&](const Vec3& x) { return m_guard.is_seen_through(x); }))
       return;
-    for(std::size_t k = 0; k < members.size(); ++k) {
-      points[members[k]] = hole[k];
-      normals[members[k]] = hole_normals[k];
+    hole = std::move(moved);
+    for(int pass = 0; pass < most_filling_passes && fill_up(surface, data, clearance, hole); ++pass) {}
+  }
+
+  /// Inserts points between those of a hole that are wide apart. Selected points are several times sparser than the
+  /// data; Poisson reconstruction weighs points alike, and its surface over them would be uneven.
+  bool fill_up(const Hermite_surface& surface, const Nearest_neighbors& data, double clearance, Hole& hole) const
+  {
+    const double longest = region_radius * m_h;
+    const Sorted_grid grid(hole.points, longest);
+    const auto is_free = [&](const Vec3& x) {
+      bool is_near = data.nearest(x).squared_distance < clearance * clearance;
+      grid.for_each_neighbor(x, clearance, [&](Index, double) { return !(is_near = true); });
+      return !is_near;
+    };
+    Hole inserted;
+    for(std::size_t i = 0; i < hole.points.size(); ++i)
+      grid.for_each_neighbor(hole.points[i], longest, [&](Index j, double squared_distance) {
+        if(j <= i || squared_distance < 4 * clearance * clearance || hole.normals[i].dot(hole.normals[j]) < 0)
+          return true;
+        Vec3 x = (hole.points[i] + hole.points[j]) / 2, normal = hole.normals[i];
+        if(is_free(x) && surface.project(x, normal) && is_free(x) && !m_guard.is_seen_through(x)) {
+          inserted.points.push_back(x);
+          inserted.normals.push_back(normal);
+        }
+        return true;
+      });
+    for(const Index k : thinned(inserted.points, clearance)) {
+      hole.points.push_back(inserted.points[k]);
+      hole.normals.push_back(inserted.normals[k]);
     }
+    return !inserted.points.empty();
   }
 
   /// Of the particles: h = 2 L_avg, and the mean distance to 20 neighbours is 1.7 spacings.

@@ -14,6 +14,10 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
+/// Sets thinned to this share of a scan's spacing, the mean distance to six neighbours, which is 1.2 times the pitch,
+/// are as dense as the scan.
+constexpr double scan_clearance = 0.7;
+
 /// Indices of a subset with no two points closer than `distance`: greedy in the given order.
 inline std::vector<Index> thinned(const Points& points, double distance)
 {
