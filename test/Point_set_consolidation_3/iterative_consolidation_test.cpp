@@ -354,6 +354,17 @@ void open_sheets_are_not_extended()
   assert(result.size() == sheet.size());
 }
 
+// Indices of the outliers that iterative consolidation finds without normals.
+std::vector<std::size_t> outliers_of(const Oriented_points& points)
+{
+  Oriented_points result;
+  std::vector<std::size_t> outliers;
+  CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
+    points, std::back_inserter(result),
+    params::point_map(Point_map()).outlier_output_iterator(std::back_inserter(outliers)));
+  return outliers;
+}
+
 void reports_outliers_and_keeps_the_static_region()
 {
   Random_numbers random(7);
@@ -362,19 +373,15 @@ void reports_outliers_and_keeps_the_static_region()
   for(std::size_t i = 0; i < number; ++i)
     points.emplace_back(Point(2 * random.uniform(-1, 1), 2 * random.uniform(-1, 1),
                               2 * random.uniform(-1, 1)), Vector(0, 0, 1));
-  Oriented_points result;
-  std::vector<std::size_t> outliers;
-  CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
-    points, std::back_inserter(result),
-    params::point_map(Point_map()).outlier_output_iterator(std::back_inserter(outliers)));
+  const std::vector<std::size_t> outliers = outliers_of(points);
   std::size_t found = 0;
   for(const std::size_t i : outliers)
     found += i >= 5000;
   assert(found >= 0.95 * number && double(found) >= 0.99 * double(outliers.size()));
 
   // constrained points are never removed
+  Oriented_points result;
   std::vector<std::size_t> others;
-  result.clear();
   CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
     points, std::back_inserter(result),
     params::point_map(Point_map())
@@ -394,11 +401,7 @@ void finds_outliers_near_the_surface()
     Point& p = points[i].first;
     p = p + layer * Vector(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
   }
-  Oriented_points result;
-  std::vector<std::size_t> outliers;
-  CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
-    points, std::back_inserter(result),
-    params::point_map(Point_map()).outlier_output_iterator(std::back_inserter(outliers)));
+  const std::vector<std::size_t> outliers = outliers_of(points);
   const auto is_off = [&](std::size_t i) { return ellipsoid_distance(to_vec3(points[i].first)) > farther; };
   std::size_t all = 0;
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -419,11 +422,7 @@ void keeps_small_parts_seen_apart()
     points.emplace_back(Point(2.5, spacing * double(i % 12), spacing * double(i / 12)), Vector(1, 0, 0));
   for(std::size_t i = 0; i < scattered; ++i)
     points.emplace_back(Point(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(2.2, 3)), Vector(1, 0, 0));
-  Oriented_points result;
-  std::vector<std::size_t> outliers;
-  CGAL::iterative_consolidate_point_set<CGAL::Sequential_tag>(
-    points, std::back_inserter(result),
-    params::point_map(Point_map()).outlier_output_iterator(std::back_inserter(outliers)));
+  const std::vector<std::size_t> outliers = outliers_of(points);
   std::size_t found = 0;
   for(const std::size_t i : outliers) {
     assert(i < number || i >= number + part);

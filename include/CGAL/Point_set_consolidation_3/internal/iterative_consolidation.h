@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/free_space.h>
+#include <CGAL/Point_set_consolidation_3/internal/hole_filling.h>
 #include <CGAL/Point_set_consolidation_3/internal/interpolatory_upsampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/mean_shift.h>
@@ -21,7 +22,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/particle_selection.h>
 #include <CGAL/Point_set_consolidation_3/internal/placement_guard.h>
 #include <CGAL/Point_set_consolidation_3/internal/repulsion.h>
-#include <CGAL/Point_set_consolidation_3/internal/rim_surfaces.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 #include <CGAL/Point_set_consolidation_3/internal/wlop_projection.h>
 
@@ -38,8 +38,6 @@ class Iterative_consolidation {
   static constexpr std::size_t least_new_points = 20;   ///< fewer are the noise of the selection
   static constexpr double first_phase_radius = 0.6;     ///< of h, in the first of two phases
   static constexpr double region_radius = 0.4;          ///< of h: up-sampled points of one sheet
-  static constexpr std::size_t spacing_neighbors = 6;
-  static constexpr int most_filling_passes = 8;         ///< each about halves the widest gaps
   /// Neighbourhoods of 20 particles need some hundreds of them.
   static constexpr std::size_t least_particles = 500;
 
@@ -371,66 +369,16 @@ private:
       if(!is_doubtful[k])
         holes[k] = {selected(added, regions[k]), selected(normals, regions[k])};
     if(m_parameters.fairs_holes && m_parameters.guard.enabled) {  // without guard, regions need not be holes
-      const Rim_surfaces surfaces(m_kept_points, m_kept_normals, data, m_h);
-      const double clearance =
-        scan_clearance * median(neighbor_distances(m_execution, data, m_kept_points, spacing_neighbors));
+      const Hole_filling filling(m_execution, m_kept_points, m_kept_normals, data, m_h, region_radius * m_h, m_guard);
       parallel_for(m_execution, holes.size(), [&](std::size_t k) {
         if(!holes[k].points.empty())
-          fair(surfaces, data, clearance, holes[k]);
+          filling.run(holes[k]);
       });
     }
     for(const Hole& hole : holes) {
       m_result.new_points.insert(m_result.new_points.end(), hole.points.begin(), hole.points.end());
       m_result.new_normals.insert(m_result.new_normals.end(), hole.normals.begin(), hole.normals.end());
     }
-  }
-
-  /// What fills a hole.
-  struct Hole {
-    Points points, normals;
-  };
-
-  /// Moves it onto the smooth surface through the data around, and fills it up there; not where a ray has passed.
-  void fair(const Rim_surfaces& surfaces, const Nearest_neighbors& data, double clearance, Hole& hole) const
-  {
-    const Hermite_surface surface = surfaces.around(hole.points);
-    Hole moved = hole;
-    if(!surface.project(moved.points, moved.normals) ||
-       std::any_of(moved.points.begin(), moved.points.end(),
-                   [&](const Vec3& x) { return m_guard.is_seen_through(x); }))
-      return;
-    hole = std::move(moved);
-    for(int pass = 0; pass < most_filling_passes && fill_up(surface, data, clearance, hole); ++pass) {}
-  }
-
-  /// Inserts points between those of a hole that are wide apart. Selected points are several times sparser than the
-  /// data; Poisson reconstruction weighs points alike, and its surface over them would be uneven.
-  bool fill_up(const Hermite_surface& surface, const Nearest_neighbors& data, double clearance, Hole& hole) const
-  {
-    const double longest = region_radius * m_h;
-    const Sorted_grid grid(hole.points, longest);
-    const auto is_free = [&](const Vec3& x) {
-      bool is_near = data.nearest(x).squared_distance < clearance * clearance;
-      grid.for_each_neighbor(x, clearance, [&](Index, double) { return !(is_near = true); });
-      return !is_near;
-    };
-    Hole inserted;
-    for(std::size_t i = 0; i < hole.points.size(); ++i)
-      grid.for_each_neighbor(hole.points[i], longest, [&](Index j, double squared_distance) {
-        if(j <= i || squared_distance < 4 * clearance * clearance || hole.normals[i].dot(hole.normals[j]) < 0)
-          return true;
-        Vec3 x = (hole.points[i] + hole.points[j]) / 2, normal = hole.normals[i];
-        if(is_free(x) && surface.project(x, normal) && is_free(x) && !m_guard.is_seen_through(x)) {
-          inserted.points.push_back(x);
-          inserted.normals.push_back(normal);
-        }
-        return true;
-      });
-    for(const Index k : thinned(inserted.points, clearance)) {
-      hole.points.push_back(inserted.points[k]);
-      hole.normals.push_back(inserted.normals[k]);
-    }
-    return !inserted.points.empty();
   }
 
   /// Of the particles: h = 2 L_avg, and the mean distance to 20 neighbours is 1.7 spacings.
