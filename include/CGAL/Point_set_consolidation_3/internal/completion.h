@@ -65,7 +65,7 @@ public:
              const Sunk_points& sunk, const Free_space& free_space,
              const Completion_parameters& parameters, std::size_t measured)
     : m_execution(execution), m_parameters(parameters), m_input(input), m_seen(seen), m_sunk(sunk)
-    , m_free_space(free_space), m_measured(measured), m_data_tree(seen.points)
+    , m_free_space(free_space), m_measured(measured), m_data_tree(execution, seen.points)
   {}
 
   Completed_points run(Stage& stage)

@@ -112,7 +112,7 @@ inline Points points_with_extent(const Execution& execution, const Points& point
 {
   constexpr double least = 1e-100;  // squares do not vanish
   const std::vector<double> distance =
-    neighbor_distances(execution, Nearest_neighbors(points), points, neighbors);
+    neighbor_distances(execution, Nearest_neighbors(execution, points), points, neighbors);
   Points result;
   for(std::size_t i = 0; i < points.size(); ++i)
     if(distance[i] > least)
@@ -172,7 +172,7 @@ inline void remove_lone_particles(const Execution& execution, Points& points)
   constexpr std::size_t neighbors = 6;
   constexpr double far = 8;  // times the median distance to them
   const std::vector<double> distance =
-    neighbor_distances(execution, Nearest_neighbors(points), points, neighbors);
+    neighbor_distances(execution, Nearest_neighbors(execution, points), points, neighbors);
   const double largest = far * median(distance);
   std::vector<Index> kept;
   for(std::size_t i = 0; i < points.size(); ++i)

@@ -196,13 +196,17 @@ private:
   {
     const std::size_t n = candidates.points.size();
     const Sorted_grid grid(candidates.points, m_parameters.least_distance);
+    std::vector<std::vector<Index> > rivals(n);  // those before it
+    parallel_for_places(m_execution, grid, [&](std::size_t k) {
+      grid.for_each_neighbor(candidates.points[k], m_parameters.least_distance, [&](Index j, double) {
+        if(j < k)
+          rivals[k].push_back(j);
+        return true;
+      });
+    });
     std::vector<char> accepted(n, 0);
-    for(std::size_t k = 0; k < n; ++k) {
-      bool free = true;
-      grid.for_each_neighbor(candidates.points[k], m_parameters.least_distance,
-                             [&](Index j, double) { return free = !(j < k && accepted[j]); });
-      accepted[k] = free;
-    }
+    for(std::size_t k = 0; k < n; ++k)
+      accepted[k] = std::none_of(rivals[k].begin(), rivals[k].end(), [&](Index j) { return accepted[j]; });
     return accepted;
   }
 

@@ -74,7 +74,7 @@ private:
   struct Pass {
     /// `scale_`: 0 if it is not known yet.
     Pass(const Execution& execution_, const Points& points_, double scale_)
-      : execution(execution_), points(points_), tree(points_)
+      : execution(execution_), points(points_), tree(execution_, points_)
       , spacing(neighbor_distances(execution_, tree, points_, spacing_neighbors))
       , scale(scale_ > 0 ? scale_ : median(spacing))
     {}

@@ -106,7 +106,7 @@ private:
   {
     if(m_parameters.support_radius > 0)
       return m_parameters.support_radius;
-    return 2 * median(neighbor_distances(m_execution, Nearest_neighbors(particles), particles,
+    return 2 * median(neighbor_distances(m_execution, Nearest_neighbors(m_execution, particles), particles,
                                          m_parameters.neighbors));
   }
 
@@ -339,7 +339,7 @@ private:
         added.push_back(m_points[i]);
         added_normals.push_back(m_normals[i]);
       }
-    const Nearest_neighbors data(m_kept_points);
+    const Nearest_neighbors data(m_execution, m_kept_points);
     accept(added, added_normals, data);
     for(const Vec3& x : m_result.new_points)
       m_result.new_confidence.push_back(confidence(std::sqrt(data.nearest(x).squared_distance) / spacing()));

@@ -26,7 +26,7 @@ inline std::vector<char> mean_shift_outliers(const Execution& execution, const P
   std::vector<char> is_outlier(points.size(), 0);
   if(points.size() <= parameters.neighbors)
     return is_outlier;
-  const Nearest_neighbors tree(points);
+  const Nearest_neighbors tree(execution, points);
   parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> K;
     Vec3 shifted = points[i];

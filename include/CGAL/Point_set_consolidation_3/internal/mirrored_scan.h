@@ -125,7 +125,7 @@ private:
     const std::size_t n = m_seen.points.size();
     const Nearest_neighbors particles(m_input.points);
     const Sorted_grid data(m_seen.points, data_clearance);
-    const Nearest_neighbors tree(m_seen.points);
+    const Nearest_neighbors tree(m_execution, m_seen.points);
     const double other = other_clearance * m_seen.spacing;
     std::vector<char> is_kept(n);
     parallel_for(m_execution, n, [&](std::size_t i) {

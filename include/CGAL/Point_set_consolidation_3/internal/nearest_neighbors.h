@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_NEAREST_NEIGHBORS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_NEAREST_NEIGHBORS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 
 #include <CGAL/Dimension.h>
@@ -50,7 +51,10 @@ class Nearest_neighbors {
   typedef CGAL::Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree> Search;
 
 public:
-  explicit Nearest_neighbors(const Points& points)
+  explicit Nearest_neighbors(const Points& points) : Nearest_neighbors(Execution(), points) {}
+
+  /// The same, built by all threads.
+  Nearest_neighbors(const Execution& execution, const Points& points)
   {
     std::vector<Indexed_point> indexed(points.size());
     for(std::size_t i = 0; i < points.size(); ++i)
@@ -58,7 +62,7 @@ public:
     constexpr unsigned int bucket_size = 20;
     m_tree = std::make_unique<Tree>(indexed.begin(), indexed.end(), Splitter(bucket_size));
     if(!points.empty())
-      m_tree->build();
+      with_concurrency_tag(execution, [&](auto tag) { m_tree->template build<decltype(tag)>(); });
   }
 
   std::size_t size() const { return m_tree->size(); }

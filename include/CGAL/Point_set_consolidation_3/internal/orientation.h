@@ -25,7 +25,7 @@ inline void follow_neighbors_where_weak(const Execution& execution, const Points
   constexpr std::size_t followed = 12;
   constexpr double weak = 0.3;
   constexpr double same_sheet = 0.5;       // cosine of normals, sine of the rise
-  const Nearest_neighbors tree(points);
+  const Nearest_neighbors tree(execution, points);
   Points oriented = normals;
   parallel_for_places(execution, points, [&](std::size_t i) {
     if(strength[i] >= weak)
@@ -53,7 +53,7 @@ inline void orient_by_hints(const Execution& execution, const Points& points, Po
                             const Points& data, const Points& hints)
 {
   constexpr std::size_t voters = 12;
-  const Nearest_neighbors tree(data);
+  const Nearest_neighbors tree(execution, data);
   std::vector<double> strength(points.size());
   parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> neighbors;
@@ -128,7 +128,7 @@ inline Nearest_table nearest_table(const Execution& execution, const Points& poi
   Nearest_table table;
   table.k = (std::min)(k, points.empty() ? 0 : points.size() - 1);
   table.neighbors.resize(points.size() * table.k);
-  const Nearest_neighbors tree(points);
+  const Nearest_neighbors tree(execution, points);
   parallel_for_places(execution, points, [&](std::size_t i) {
     std::vector<Neighbor> found;
     tree.find(points[i], table.k + 1, found);

@@ -128,7 +128,7 @@ inline std::vector<char> near_outliers(const Execution& execution, const Points&
   std::vector<char> is_outlier(data.size(), 0);
   if(kept.size() <= fitted_neighbors)
     return is_outlier;
-  const Nearest_neighbors tree(points);
+  const Nearest_neighbors tree(execution, points);
   const auto neighbors_of = [&](std::size_t i, const Vec3& place, std::size_t k) {
     std::vector<Neighbor> found;
     tree.find(place, k + 1, found);
@@ -198,7 +198,7 @@ inline void keep_patches(const Execution& execution, const Points& data, std::ve
     (is_outlier[i] ? flagged : others).push_back(Index(i));
   if(flagged.size() < least_points || others.empty())
     return;
-  const Nearest_neighbors tree(data);
+  const Nearest_neighbors tree(execution, data);
   const auto measure = [&](const std::vector<Index>& indices, std::vector<double>& sparsity,
                            std::vector<double>& residual) {
     sparsity.assign(indices.size(), 0.);
@@ -241,7 +241,7 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
     return is_outlier;
   constexpr std::size_t planes = 6;
   const double h = parameters.support_radius;
-  const Nearest_neighbors tree(surface);
+  const Nearest_neighbors tree(execution, surface);
   const std::vector<Index> order = place_order(data);
   std::vector<double> distance(data.size());  // mean, from the tangent planes
   Points feet = data, normals(data.size());   // on the particles' surface
@@ -313,7 +313,7 @@ inline Nearest_table restricted_table(const Execution& execution, const Nearest_
   Nearest_table table;
   table.k = (std::min)(all.k, points.empty() ? 0 : points.size() - 1);
   table.neighbors.resize(points.size() * table.k);
-  const Nearest_neighbors tree(points);
+  const Nearest_neighbors tree(execution, points);
   parallel_for(execution, points.size(), [&](std::size_t i) {
     const Index* old = all.row(original[i]);
     Index* row = table.neighbors.data() + i * table.k;

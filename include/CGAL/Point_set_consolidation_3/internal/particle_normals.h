@@ -64,7 +64,7 @@ inline void update_particle_normals(const Execution& execution, const Points& po
 {
   const Wlop_kernel kernel(h);
   const Sorted_grid grid(points, kernel.reach);
-  const Nearest_neighbors tree(points);
+  const Nearest_neighbors tree(execution, points);
   particle_normals.resize(particles.size(), Vec3::UnitZ());
   parallel_for(execution, particles.size() - first, [&](std::size_t k) {
     const std::size_t i = first + k;

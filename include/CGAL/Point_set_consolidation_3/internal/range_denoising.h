@@ -173,7 +173,7 @@ private:
   void estimate_noise()
   {
     const std::vector<Index> order = place_order(m_flat);
-    const Nearest_neighbors tree(m_flat);
+    const Nearest_neighbors tree(m_execution, m_flat);
     const std::size_t count = (std::min)(noise_samples, order.size());
     const auto sample = [&](std::size_t k) { return std::size_t(order[k * order.size() / count]); };
     std::vector<double> spacing(count, 0.), residual(count, 0.);

@@ -38,7 +38,7 @@ public:
     Seen_part seen;
     seen.points = points;
     seen.normals.resize(points.size());
-    const Nearest_neighbors tree(points);
+    const Nearest_neighbors tree(execution, points);
     std::vector<double> residual(points.size()), spacing(points.size());
     parallel_for_places(execution, points, [&](std::size_t i) {
       std::vector<Neighbor> neighbors;
