@@ -113,6 +113,7 @@ void check_outputs(Options& o)
     support::check_output(file, {".ply"});
   support::check_output(o.picture, {".png"});
   support::check_output(o.json);
+  support::check_distinct({o.output, o.completed, o.mesh, o.inner, o.deep_points, o.picture, o.json});
   const bool is_deep = o.method == "deep-points";
   if(!is_deep && !(o.inner.empty() && o.deep_points.empty()))
     throw support::Usage_error("--inner and --deep-points need --method deep-points");

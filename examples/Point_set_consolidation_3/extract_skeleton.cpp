@@ -329,6 +329,7 @@ void check_outputs(const Options& options)
   for(const std::string& file : {options.output, options.json})
     support::check_output(file);
   support::check_output(options.picture, {".png"});
+  support::check_distinct({options.output, options.json, options.picture});
   for(const char* const end : {".ply", ".polylines.txt", ".cgal"})
     if(ends_with(options.output, end))
       return;

@@ -262,6 +262,7 @@ int main(int argc, char** argv)
     support::check_mesh_output(options.output);
     support::check_output(options.picture, {".png"});
     support::check_output(options.json);
+    support::check_distinct({options.output, options.picture, options.json});
     const support::Thread_limit threads(options.threads);
     support::Progress_bar progress("surface", options.quiet);
     Run run{options, progress};

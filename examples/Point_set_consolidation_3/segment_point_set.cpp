@@ -67,6 +67,7 @@ bool parse(Options& options, int argc, char** argv)
   support::check_output(options.output, {".ply"});
   support::check_output(options.picture, {".png"});
   support::check_output(options.json);
+  support::check_distinct({options.output, options.picture, options.json});
   return true;
 }
 

@@ -182,8 +182,11 @@ private:
     gaps.is_frozen = copy_constrained(points, np);
     if constexpr(has_parameter<NP, names::prior_map_t>) {
       const auto map = CGAL::parameters::get_parameter(np, names::prior_map);
-      for(auto it = points.begin(); it != points.end(); ++it)
+      for(auto it = points.begin(); it != points.end(); ++it) {
         gaps.priors.push_back(get(map, *it));
+        if(!is_prior(gaps.priors.back()))
+          throw_invalid(function, "prior_map: point " + std::to_string(gaps.priors.size() - 1) + " has none of the priors");
+      }
     }
     Deep_points_settings settings;
     settings.function = function;

@@ -748,6 +748,10 @@ void bad_input()
   assert(contains(rejected(sphere, params::view_direction_map(
                                      CGAL::Constant_property_map<Point, Vector>(Vector(0, 0, 0)))),
                   "scanner"));
+  using CGAL::Point_set_consolidation_3::Prior;
+  assert(contains(rejected(sphere, params::prior(Prior(3))), "prior is none"));
+  assert(contains(rejected(sphere, params::prior_map(CGAL::Constant_property_map<Point, Prior>(Prior(200)))),
+                  "prior_map: point 0"));
   bad_views(sphere);
 
   accepted("sphere", sphere);

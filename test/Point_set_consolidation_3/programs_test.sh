@@ -108,7 +108,9 @@ for program in consolidate_point_set extract_skeleton segment_point_set reconstr
   expect 2 "picture.jpg" $program good.xyz -o $output --picture out/picture.jpg
   expect 2 "no_folder" $program good.xyz -o $output --picture no_folder/picture.png
   expect 2 "no_folder" $program good.xyz -o $output --json no_folder/report.json
+  expect 2 "two outputs" $program good.xyz -o $output --json out/../$output
 done
+expect 2 "two outputs" consolidate_point_set good.xyz --mesh out/result.ply --completed out/result.ply
 for option in --inner --deep-points; do
   expect 2 "inner.xyz" consolidate_point_set good.xyz -o out/result.ply $option out/inner.xyz
 done

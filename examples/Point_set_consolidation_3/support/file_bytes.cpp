@@ -141,6 +141,18 @@ void check_output(const std::string& file, std::initializer_list<const char*> kn
     file_error(file, "cannot be written: there is no folder " + folder.string());
 }
 
+void check_distinct(std::initializer_list<std::string> outputs)
+{
+  for(auto one = outputs.begin(); one != outputs.end(); ++one)
+    for(auto other = outputs.begin(); other != one; ++other) {
+      std::error_code ignored;
+      const auto place = [&](const std::string& file) { return fs::weakly_canonical(file, ignored); };
+      const bool is_device = fs::is_character_file(*one, ignored) || fs::is_fifo(*one, ignored);
+      if(!one->empty() && !other->empty() && !is_device && place(*one) == place(*other))
+        file_error(*one, "is named as the file of two outputs");
+    }
+}
+
 void check_finite(const std::string& file, const std::vector<Vec3>& points)
 {
   const auto is_bad = [](const Vec3& p) { return !p.allFinite(); };

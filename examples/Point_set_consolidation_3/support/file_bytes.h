@@ -42,6 +42,9 @@ void check_extension(const std::string& file, std::initializer_list<const char*>
 /// \throws File_error if the extension is none of `known`, or the folder does not exist.
 void check_output(const std::string& file, std::initializer_list<const char*> known = {});
 
+/// \throws File_error if two of the outputs are the same file; empty names are none.
+void check_distinct(std::initializer_list<std::string> outputs);
+
 /// \throws File_error if a coordinate is not finite; the message counts the points.
 void check_finite(const std::string& file, const std::vector<Vec3>& points);
 

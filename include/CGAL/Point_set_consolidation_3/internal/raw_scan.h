@@ -8,8 +8,8 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RAW_SCAN_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_RAW_SCAN_H
 
+#include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
-#include <CGAL/Point_set_consolidation_3/options.h>
 
 #include <algorithm>
 #include <array>
@@ -82,7 +82,7 @@ struct Gap_parameters {
   {
     if(priors.empty())
       return prior;
-    std::array<std::size_t, 3> votes = {};
+    std::array<std::size_t, number_of_priors> votes = {};
     for(const Index i : border)
       ++votes[std::size_t(priors[i])];
     return Prior(std::max_element(votes.begin(), votes.end()) - votes.begin());
