@@ -69,8 +69,9 @@ using Mesher_triangulation = CGAL::Delaunay_triangulation_3<
 using Complex = CGAL::Surface_mesh_complex_2_in_triangulation_3<Mesher_triangulation>;
 using Face = std::array<std::size_t, 3>;
 
-/// A component carries data if it comes this close to an input point, in spacings.
-constexpr double data_distance = 2;
+/// A component carries data if it comes this close to an input point, in spacings: less than one, so that bubbles
+/// between the points of a noisy part do not count.
+constexpr double data_distance = 0.75;
 
 /// Every component gets at least this many seeds: the restricted Delaunay triangulation of fewer
 /// than about ten points of a small closed surface may have no facet at all.
