@@ -56,7 +56,8 @@ namespace CGAL {
         at least 4}
       \cgalParamType{`std::size_t`}
       \cgalParamDefault{0.012 times the number of points, within [8, 12]; the upper bound of the paper, 30, joins
-        parts that are close to each other}
+        parts that are close to each other. Where the points are so uneven that the rings fall into more components than
+        with 30, as many more as join them}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_samples}
       \cgalParamDescription{largest number of points that are contracted; larger sets are represented by evenly spread

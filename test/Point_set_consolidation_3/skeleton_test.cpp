@@ -193,6 +193,26 @@ void test_two_parts()
   assert(CGAL::number_of_skeleton_components(skeleton) == 1);
 }
 
+/// A limb as modellers draw it: circles of many points each, farther from each other than their points.
+void test_rings_apart()
+{
+  for(const std::size_t limbs : {1, 2}) {
+    std::vector<Point> points;
+    for(std::size_t limb = 0; limb < limbs; ++limb)
+      for(int ring = 0; ring < 30; ++ring)
+        for(int k = 0; k < 40; ++k) {
+          const double a = 2 * CGAL_PI * (k + 0.3 * ring) / 40;
+          points.emplace_back(20. * double(limb) + std::cos(a), std::sin(a), 0.5 * ring);
+        }
+    Skeleton skeleton, of_few;
+    CGAL::extract_laplacian_contraction_skeleton<Tag>(points, skeleton);
+    assert(CGAL::number_of_skeleton_components(skeleton) == limbs);
+    assert(tips(skeleton) == 2 * limbs);
+    CGAL::extract_laplacian_contraction_skeleton<Tag>(points, of_few, params::k_neighbors(6));
+    assert(CGAL::number_of_skeleton_components(of_few) > limbs);  // what few neighbours do
+  }
+}
+
 void test_invariance()
 {
   const std::vector<Point> points = torus(2000, 1, 0.25);
@@ -521,6 +541,7 @@ int main()
   test_capsule();
   test_recentring_with_normals();
   test_two_parts();
+  test_rings_apart();
   test_invariance();
   test_weights();
   test_steps();

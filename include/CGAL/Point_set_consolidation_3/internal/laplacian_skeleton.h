@@ -51,9 +51,9 @@ public:
       return;
     Stage stage(m_execution, "rings", 0.2);
     const std::size_t n = m_samples.points.size();
-    const std::size_t k =
-      m_parameters.neighbors > 0 ? m_parameters.neighbors : default_ring_neighbors(n);
-    m_rings = find_tangent_rings(m_execution, m_samples.points, (std::min)(k, n));
+    m_rings = m_parameters.neighbors > 0
+                ? find_tangent_rings(m_execution, m_samples.points, (std::min)(m_parameters.neighbors, n))
+                : find_joined_rings(m_execution, m_samples.points);
     m_contraction = std::make_unique<Laplacian_contraction>(m_execution, m_samples.points, m_rings,
                                                             m_parameters.contraction);
   }

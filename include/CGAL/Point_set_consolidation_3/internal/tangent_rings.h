@@ -44,6 +44,9 @@ inline std::size_t default_ring_neighbors(std::size_t n)
   return (std::min)(std::size_t(12), (std::max)(std::size_t(8), std::size_t(std::round(share * double(n)))));
 }
 
+/// The paper's upper bound.
+constexpr std::size_t most_ring_neighbors = 30;
+
 /// Edges and rings of the triangles among `n` points.
 inline void connect_triangles(std::size_t n, Tangent_rings& rings)
 {
@@ -199,6 +202,53 @@ inline Tangent_rings find_tangent_rings(const Execution& execution, const Points
                                         std::size_t k)
 {
   return Tangent_ring_finder(execution, points, k).find();
+}
+
+/// Of the parts that edges join.
+inline std::size_t number_of_components(const Tangent_rings& rings)
+{
+  std::size_t components = 0;
+  std::vector<char> is_visited(rings.number_of_points(), 0);
+  std::vector<Index> reached;
+  for(std::size_t seed = 0; seed < is_visited.size(); ++seed) {
+    if(is_visited[seed])
+      continue;
+    ++components;
+    is_visited[seed] = 1;
+    reached.assign(1, Index(seed));
+    while(!reached.empty()) {
+      const Index i = reached.back();
+      reached.pop_back();
+      for(std::size_t k = rings.first[i]; k < rings.first[i + 1]; ++k) {
+        const Index j = rings.neighbors[k];
+        if(!is_visited[j]) {
+          is_visited[j] = 1;
+          reached.push_back(j);
+        }
+      }
+    }
+  }
+  return components;
+}
+
+/// Rings among as few neighbours as the default has, or as many more as join all that the paper's bound joins: few
+/// neighbours of a point where samples are uneven lie all on its denser side.
+inline Tangent_rings find_joined_rings(const Execution& execution, const Points& points)
+{
+  constexpr double growth = 1.3;
+  std::size_t k = default_ring_neighbors(points.size());
+  Tangent_rings rings = find_tangent_rings(execution, points, k);
+  if(number_of_components(rings) == 1)
+    return rings;
+  Tangent_rings widest = find_tangent_rings(execution, points, most_ring_neighbors);
+  const std::size_t components = number_of_components(widest);
+  while(number_of_components(rings) > components) {
+    k = std::size_t(growth * double(k));
+    if(k >= most_ring_neighbors)
+      return widest;
+    rings = find_tangent_rings(execution, points, k);
+  }
+  return rings;
 }
 
 }  // namespace internal
