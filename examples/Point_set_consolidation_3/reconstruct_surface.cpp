@@ -41,7 +41,7 @@ struct Options {
   // skeleton-driven
   std::size_t resolution = 64;
   bool is_regular = false;
-  double smoothness_weight = 1, surface_weight = 50, skeleton_weight = 0.5, outside_weight = 0.005;
+  double smoothness_weight = 1, surface_weight = 0, skeleton_weight = 0.5, outside_weight = 0.005;
   double outside_factor = 4;
   // feature-enhanced
   std::size_t segments = 0;
@@ -89,7 +89,7 @@ support::Triangle_mesh skeleton_driven(Run& run)
     params::grid_resolution(options.resolution)
       .adaptive(!options.is_regular)
       .smoothness_weight(options.smoothness_weight)
-      .surface_weight(options.surface_weight)
+      .surface_weight(options.surface_weight > 0 ? options.surface_weight : 50)
       .skeleton_weight(options.skeleton_weight)
       .outside_weight(options.outside_weight)
       .outside_factor(options.outside_factor)
@@ -151,7 +151,7 @@ support::Triangle_mesh feature_enhanced(Run& run)
         .sharpness_angle(options.sharpness_angle)
         .upsampling_factor(options.upsampling)
         .grid_resolution(options.resolution)
-        .surface_weight(options.surface_weight)
+        .surface_weight(options.surface_weight > 0 ? options.surface_weight : 500)
         .normal_weight(options.normal_weight)
         .enhance_features(options.denoises)
         .stage_times(std::ref(run.times))
@@ -199,7 +199,8 @@ bool parse(Options& options, int argc, char** argv)
   line.option("--resolution", "N", options.resolution, "cells along the longest side").between(8, 1024);
   line.flag("--regular-grid", options.is_regular, "a regular grid instead of an octree");
   line.option("--smoothness-weight", "X", options.smoothness_weight, "omega_1").above(0);
-  line.option("--surface-weight", "X", options.surface_weight, "omega_2, of the points").above(0);
+  line.option("--surface-weight", "X", options.surface_weight, "omega_2, of the points").above(0)
+    .default_is("50; feature-enhanced: 500");
   line.option("--skeleton-weight", "X", options.skeleton_weight, "omega_3").at_least(0);
   line.option("--outside-weight", "X", options.outside_weight, "omega_4").at_least(0);
   line.option("--outside-factor", "K", options.outside_factor,

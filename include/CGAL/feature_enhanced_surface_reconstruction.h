@@ -103,10 +103,10 @@ namespace CGAL {
     \cgalParamNEnd
     \cgalParamNBegin{surface_weight}
       \cgalParamDescription{\f$\omega_2\f$, weight of points without noise in the field, positive. It is divided by
-        \f$1 + (\sigma / 0.12)^2\f$ with the typical distance \f$\sigma\f$ of the points from the planes of
+        \f$1 + (\sigma / 0.05)^2\f$ with the typical distance \f$\sigma\f$ of the points from the planes of
         their neighbours, measured in cells}
       \cgalParamType{floating scalar value}
-      \cgalParamDefault{50}
+      \cgalParamDefault{500}
     \cgalParamNEnd
     \cgalParamNBegin{normal_weight}
       \cgalParamDescription{weight of the normals as gradients of the field at the points; 0: the skeleton alone tells

@@ -93,6 +93,8 @@ private:
   {
     Field_parameters field;
     field.normal_weight = 10;  // 5 leaves unseen parts worse, 20 makes handles
+    // of exact points; 50 lets gaps bulge, and moves the surface off what was seen
+    field.surface_weight = 500;
     return field;
   }
 };

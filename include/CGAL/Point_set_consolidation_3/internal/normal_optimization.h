@@ -200,16 +200,6 @@ inline Points estimated_normals(const Execution& execution, const Points& points
   return normals;
 }
 
-/// The paper's normal optimisation as a whole. Signs as in `hints`.
-inline Points optimized_normals(const Execution& execution, const Points& points,
-                                const Points& hints, const Normal_parameters& parameters)
-{
-  const Normal_optimization optimization(execution, points, parameters);
-  Points normals = optimization.separated_normals(hints);
-  optimization.smooth(normals);
-  return normals;
-}
-
 }  // namespace internal
 }  // namespace Point_set_consolidation_3
 }  // namespace CGAL
