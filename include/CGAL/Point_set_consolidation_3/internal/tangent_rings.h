@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <array>
 
@@ -207,27 +208,10 @@ inline Tangent_rings find_tangent_rings(const Execution& execution, const Points
 /// Of the parts that edges join.
 inline std::size_t number_of_components(const Tangent_rings& rings)
 {
-  std::size_t components = 0;
-  std::vector<char> is_visited(rings.number_of_points(), 0);
-  std::vector<Index> reached;
-  for(std::size_t seed = 0; seed < is_visited.size(); ++seed) {
-    if(is_visited[seed])
-      continue;
-    ++components;
-    is_visited[seed] = 1;
-    reached.assign(1, Index(seed));
-    while(!reached.empty()) {
-      const Index i = reached.back();
-      reached.pop_back();
-      for(std::size_t k = rings.first[i]; k < rings.first[i + 1]; ++k) {
-        const Index j = rings.neighbors[k];
-        if(!is_visited[j]) {
-          is_visited[j] = 1;
-          reached.push_back(j);
-        }
-      }
-    }
-  }
+  Disjoint_sets sets(rings.number_of_points());
+  std::size_t components = rings.number_of_points();
+  for(const Ring_edge& e : rings.edges)
+    components -= sets.join(e[0], e[1]) ? 1 : 0;
   return components;
 }
 
