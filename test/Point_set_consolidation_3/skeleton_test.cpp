@@ -199,17 +199,17 @@ void test_rings_apart()
   for(const std::size_t limbs : {1, 2}) {
     std::vector<Point> points;
     for(std::size_t limb = 0; limb < limbs; ++limb)
-      for(int ring = 0; ring < 30; ++ring)
-        for(int k = 0; k < 40; ++k) {
-          const double a = 2 * CGAL_PI * (k + 0.3 * ring) / 40;
-          points.emplace_back(20. * double(limb) + std::cos(a), std::sin(a), 0.5 * ring);
+      for(int ring = 0; ring < 20; ++ring)
+        for(int k = 0; k < 80; ++k) {
+          const double a = 2 * CGAL_PI * (k + 0.3 * ring) / 80;
+          points.emplace_back(20. * double(limb) + std::cos(a), std::sin(a), 0.7 * ring);
         }
-    Skeleton skeleton, of_few;
+    Skeleton skeleton, of_twelve;
     CGAL::extract_laplacian_contraction_skeleton<Tag>(points, skeleton);
     assert(CGAL::number_of_skeleton_components(skeleton) == limbs);
     assert(tips(skeleton) == 2 * limbs);
-    CGAL::extract_laplacian_contraction_skeleton<Tag>(points, of_few, params::k_neighbors(6));
-    assert(CGAL::number_of_skeleton_components(of_few) > limbs);  // what few neighbours do
+    CGAL::extract_laplacian_contraction_skeleton<Tag>(points, of_twelve, params::k_neighbors(12));
+    assert(CGAL::number_of_skeleton_components(of_twelve) > limbs);  // the default of even samples
   }
 }
 
