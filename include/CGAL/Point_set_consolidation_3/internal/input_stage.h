@@ -245,44 +245,47 @@ inline void orient_particles(Execution& execution, double share, const Points& h
   }
 }
 
-/// Points that belong to no surface, but none in a frozen region. `are_known`: others were found before.
-inline std::vector<std::size_t> outliers_of(const Execution& execution, const Points& points,
-                                            const std::vector<char>& is_frozen, bool are_known)
+/// Indices of the points that belong to a surface or to a frozen region. `are_known`: outliers were found before.
+inline std::vector<Index> without_outliers(const Execution& execution, const Points& points,
+                                           const std::vector<char>& is_frozen, bool are_known)
 {
   const std::vector<char> is_isolated = Isolated_points(execution, points).run(are_known);
-  std::vector<std::size_t> outliers;
-  for(std::size_t i = 0; i < is_isolated.size(); ++i)
-    if(is_isolated[i] && (is_frozen.empty() || !is_frozen[i]))
-      outliers.push_back(i);
-  return outliers;
-}
-
-/// Those of [0, n) that are no outliers.
-inline std::vector<Index> others(const std::vector<std::size_t>& outliers, std::size_t n)
-{
   std::vector<Index> kept;
-  kept.reserve(n - outliers.size());
-  for(std::size_t i = 0, next = 0; i < n; ++i)
-    if(next < outliers.size() && outliers[next] == i)
-      ++next;
-    else
+  kept.reserve(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(!is_isolated[i] || (!is_frozen.empty() && is_frozen[i]))
       kept.push_back(Index(i));
   return kept;
 }
 
-/// Of a scan whose outliers were left out, if it had any. Noise along rays goes before all else; where it went, the
-/// outliers that it had hidden stand out and are left out as well; where the rays were found, particles are made anew.
-inline Consolidated_input consolidate_data(Execution& execution, double share, const Raw_scan& scan,
-                                           bool had_outliers, const Input_parameters& parameters)
+/// Those of [0, n) that are not among `kept`, which increase.
+inline std::vector<std::size_t> others(const std::vector<Index>& kept, std::size_t n)
 {
-  const Frame frame = data_frame(execution, scan.points, number_of_particles(parameters, scan.points.size()));
+  std::vector<std::size_t> result;
+  result.reserve(n - kept.size());
+  for(std::size_t i = 0, next = 0; i < n; ++i)
+    if(next < kept.size() && kept[next] == i)
+      ++next;
+    else
+      result.push_back(i);
+  return result;
+}
+
+/// Of the scan's points in `kept`. Noise along rays goes before all else; where it went, the outliers that it had
+/// hidden stand out and go from `kept` as well; where the rays were found, particles are made anew. Parts of the scan
+/// are taken when they are needed, not before, for the sake of memory.
+inline Consolidated_input consolidate_data(Execution& execution, double share, const Raw_scan& scan,
+                                           std::vector<Index>& kept, const Input_parameters& parameters)
+{
+  const bool had_outliers = kept.size() < scan.points.size();
+  Consolidated_input input;
+  input.data = selected(scan.points, kept);
+  input.frame = data_frame(execution, input.data, number_of_particles(parameters, input.data.size()));
+  const Frame frame = input.frame;
   if(!(frame.unit > 0))
     throw Unusable_input("more than half of the points coincide: no spacing to work with");
-  Consolidated_input input;
-  input.frame = frame;
-  input.data = frame.to_local(scan.points);
-  Raw_scan rest;  // without the outliers that are found here
-  const Raw_scan* known = &scan;
+  for(Vec3& p : input.data)
+    p = frame.to_local(p);
   const auto denoise = [&](const Scan_directions& directions) {
     if(!parameters.denoise_along_rays || directions.empty())
       return;
@@ -290,25 +293,22 @@ inline Consolidated_input consolidate_data(Execution& execution, double share, c
     input.is_denoised = denoise_along_rays(execution, directions, input.data);
     if(!input.is_denoised || !parameters.detect_outliers)
       return;
-    input.outliers = outliers_of(execution, input.data, known->gaps.is_frozen, had_outliers);
-    if(input.outliers.empty())
-      return;
-    const std::vector<Index> kept = others(input.outliers, input.data.size());
-    rest = scan.part(kept);
-    known = &rest;
-    input.data = selected(input.data, kept);
+    const std::vector<Index> rest =
+      without_outliers(execution, input.data, selected_if_any(scan.gaps.is_frozen, kept), had_outliers);
+    input.data = selected(input.data, rest);
+    kept = selected(kept, rest);
   };
   const auto make_particles = [&](double part) {
     project_particles(execution, 0.9 * part, parameters, input);
-    if(!known->directions.empty()) {
-      input.directions = known->directions;  // not before, for the sake of memory
+    if(!scan.directions.empty()) {
+      input.directions = scan.directions.part(kept);
       for(Vec3& p : input.directions.missed)
         p = input.frame.to_local(p);
     }
-    orient_particles(execution, 0.1 * part, known->hints, parameters, input);
+    orient_particles(execution, 0.1 * part, selected_if_any(scan.hints, kept), parameters, input);
   };
   if(!scan.directions.empty()) {
-    denoise(scan.directions);
+    denoise(scan.directions.part(kept));
     make_particles(0.9 * share);
   }
   else {
@@ -324,7 +324,7 @@ inline Consolidated_input consolidate_data(Execution& execution, double share, c
       make_particles(0.4 * share);
     }
   }
-  input.gaps = known->gaps;
+  input.gaps = scan.gaps.part(kept);
   return input;
 }
 
@@ -332,34 +332,22 @@ inline Consolidated_input consolidate_data(Execution& execution, double share, c
 inline Consolidated_input consolidate_input(Execution& execution, double share, const Raw_scan& scan,
                                             const Input_parameters& parameters)
 {
-  std::vector<std::size_t> outliers;
+  const std::size_t n = scan.points.size();
+  std::vector<Index> kept = all_indices(n);
   if(parameters.detect_outliers) {
     Stage stage(execution, "outliers", 0.02 * share);
-    outliers = outliers_of(execution, scan.points, scan.gaps.is_frozen, false);
+    kept = without_outliers(execution, scan.points, scan.gaps.is_frozen, false);
   }
-  const std::size_t n = scan.points.size();
-  Consolidated_input input;
-  if(outliers.empty()) {
-    input = consolidate_data(execution, share, scan, false, parameters);
-    outliers = std::move(input.outliers);
-  }
-  else {
-    const std::vector<Index> kept = others(outliers, n);
-    input = consolidate_data(execution, share, scan.part(kept), true, parameters);
-    for(const std::size_t k : input.outliers)
-      outliers.push_back(kept[k]);
-    std::sort(outliers.begin(), outliers.end());
-  }
-  if(!outliers.empty()) {
-    const std::vector<Index> kept = others(outliers, n);
+  Consolidated_input input = consolidate_data(execution, share, scan, kept, parameters);
+  input.outliers = others(kept, n);
+  if(!input.outliers.empty()) {
     input.place.resize(n);
     for(std::size_t k = 0; k < kept.size(); ++k)
       input.place[kept[k]] = Index(k);
     const Nearest_neighbors tree(selected(scan.points, kept));
-    for(const std::size_t i : outliers)
+    for(const std::size_t i : input.outliers)
       input.place[i] = tree.nearest(scan.points[i]).index;
   }
-  input.outliers = std::move(outliers);
   return input;
 }
 

@@ -95,11 +95,6 @@ struct Raw_scan {
   Points hints;                ///< rough normals; empty: none
   Scan_directions directions;  ///< empty: none
   Gap_parameters gaps;
-
-  Raw_scan part(const std::vector<Index>& indices) const
-  {
-    return {selected(points, indices), selected_if_any(hints, indices), directions.part(indices), gaps.part(indices)};
-  }
 };
 
 }  // namespace internal
