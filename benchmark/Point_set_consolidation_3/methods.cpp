@@ -7,6 +7,7 @@
 #include "consolidation.h"
 #include "point_tree.h"
 #include "poisson_mesh.h"
+#include "small_handles.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
@@ -165,8 +166,8 @@ Method_result deep_points(const Point_cloud& scan)
 Method_result completed_input(const Point_cloud& scan, support::Consolidation_options options)
 {
   options.wants_points = false;
-  const Point_cloud result = support::consolidate(scan, options, {}).completed;
-  return {result.points, result.normals, {}};
+  const support::Consolidation_result result = support::consolidate(scan, options, {});
+  return {result.completed.points, result.completed.normals, {}, result.noise};
 }
 
 /// Completion: the scan's points and the missing ones, all options at their defaults.
@@ -224,7 +225,9 @@ Triangle_mesh reconstruct(const Method_result& result)
   support::Poisson_options options;
   options.spacing = poisson_spacing;
   options.distance = poisson_distance;
-  return support::poisson_mesh(result.points, result.normals, options);
+  Triangle_mesh mesh = support::poisson_mesh(result.points, result.normals, options);
+  support::remove_handles_of_noise(mesh, result.noise);
+  return mesh;
 }
 
 }  // namespace benchmark

@@ -23,6 +23,7 @@ struct Method_result {
   std::vector<Vec3> normals;
   std::optional<Triangle_mesh>
       mesh;  ///< if given, it is judged instead of the Poisson mesh of the points
+  double noise = 0;  ///< of the scan; 0: not known
 };
 
 struct Method {

@@ -11,6 +11,7 @@
 #include "ply_file.h"
 #include "point_file.h"
 #include "poisson_mesh.h"
+#include "small_handles.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +28,7 @@ struct Options : support::Consolidation_options {
     picture;
   std::size_t threads = 0, upsample = 0;
   double mesh_distance = 0.1;  // the mesher's usual 0.375 facets tubes visibly
-  bool quiet = false;
+  bool keep_handles = false, quiet = false;
 };
 
 typedef support::Consolidation_result Result;
@@ -50,6 +51,8 @@ bool parse(Options& o, int argc, char** argv)
   line.option("--mesh-distance", "X", o.mesh_distance,
               "largest distance of the mesh's facets from the surface, in spacings of the meshed points")
     .between(0.01, 1);
+  line.flag("--keep-handles", o.keep_handles,
+            "mesh of the completed input: keep handles no wider than three times the noise of the scan");
   line.option("--completed", "FILE", o.completed,
               "the completed input, your points (without outliers) first and in order");
   line.option("--inner", "FILE", o.inner, "inner points (meso-skeleton), .ply with radius and label: "
@@ -206,6 +209,7 @@ void run(int argc, char** argv)
 
   support::Triangle_mesh mesh;
   double mesh_seconds = 0;
+  std::size_t removed_handles = 0;
   if(!o.mesh.empty()) {
     const Clock::time_point mesh_start = Clock::now();
     const Point_cloud& source = result.completed.points.empty() || o.mesh_from == "result"
@@ -213,6 +217,8 @@ void run(int argc, char** argv)
     support::Poisson_options mesh_options;
     mesh_options.distance = o.mesh_distance;
     mesh = support::poisson_mesh(source.points, source.normals, mesh_options);
+    if(!o.keep_handles && &source == &result.completed)
+      removed_handles = support::remove_handles_of_noise(mesh, result.noise);
     mesh_seconds = std::chrono::duration<double>(Clock::now() - mesh_start).count();
     support::write_mesh(o.mesh, mesh);
   }
@@ -229,6 +235,7 @@ void run(int argc, char** argv)
     json["seconds"] = seconds;
     json["mesh_seconds"] = mesh_seconds;
     json["mesh_faces"] = mesh.faces.size();
+    json["removed_handles"] = removed_handles;
     Json stages = Json::array();
     for(const auto& time : result.times) {
       Json stage = Json::object();
@@ -244,6 +251,9 @@ void run(int argc, char** argv)
     std::fprintf(stderr, "%zu points, %zu of them outliers -> %zu consolidated, %zu completed, %.1f s%s\n",
                  cloud.size(), result.outliers, result.consolidated.size(), result.completed_points, seconds,
                  mesh.empty() ? "" : "; meshed");
+  if(!o.quiet && removed_handles > 0)
+    std::fprintf(stderr, "%zu handles narrower than three times the noise (%g) removed, see --keep-handles\n",
+                 removed_handles, 3 * result.noise);
   support::report_files(o.quiet, {o.output, o.completed, o.inner, o.deep_points, o.mesh, o.picture,
                                   o.json});
 }

@@ -5,6 +5,7 @@
 #undef NDEBUG
 
 #include "poisson_mesh.h"
+#include "small_handles.h"
 #include "random_numbers.h"
 
 #include <Eigen/Geometry>
@@ -356,6 +357,72 @@ void bad_input_is_named()
   }
 }
 
+/// A grid of `around` x `across` quadrilaterals, cut in two.
+Triangle_mesh torus_mesh(double major, double minor, std::size_t around, std::size_t across)
+{
+  Triangle_mesh mesh;
+  for(std::size_t i = 0; i < around; ++i)
+    for(std::size_t k = 0; k < across; ++k) {
+      const double u = 2 * EIGEN_PI * double(i) / double(around), v = 2 * EIGEN_PI * double(k) / double(across);
+      const double r = major + minor * std::cos(v);
+      mesh.vertices.emplace_back(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
+      const std::size_t a = i * across + k, b = (i + 1) % around * across + k;
+      const std::size_t c = (i + 1) % around * across + (k + 1) % across, d = i * across + (k + 1) % across;
+      mesh.faces.push_back({a, b, c});
+      mesh.faces.push_back({a, c, d});
+    }
+  return mesh;
+}
+
+void append(Triangle_mesh& mesh, const Triangle_mesh& other, const Vec3& offset)
+{
+  const std::size_t first = mesh.vertices.size();
+  for(const Vec3& p : other.vertices)
+    mesh.vertices.push_back(p + offset);
+  for(const auto& f : other.faces)
+    mesh.faces.push_back({first + f[0], first + f[1], first + f[2]});
+}
+
+void small_handles_are_parted_or_filled()
+{
+  // a ring is cut where it is thinnest; its volume is that of the ring
+  Triangle_mesh ring = torus_mesh(1, 0.25, 96, 24);
+  const Triangle_mesh whole = ring;
+  const double around_tube = 2 * EIGEN_PI * 0.25, volume = 2 * EIGEN_PI * EIGEN_PI * 0.25 * 0.25;
+  assert(support::remove_small_handles(ring, 0.9 * around_tube) == 0);
+  assert(ring.vertices == whole.vertices && ring.faces == whole.faces);
+  assert(support::remove_small_handles(ring, 1.1 * around_tube) == 1);
+  std::vector<Component> parts = components(ring);
+  assert(parts.size() == 1 && parts[0].euler_characteristic == 2);
+  assert(is_within(parts[0].volume, volume, 0.05));
+
+  // a narrow hole is filled where it is narrowest, and nowhere else
+  Triangle_mesh bun = torus_mesh(1, 0.8, 96, 96);
+  const double bun_volume = components(bun)[0].volume, through_hole = 2 * EIGEN_PI * 0.2;
+  assert(support::remove_small_handles(bun, 0.9 * through_hole) == 0);
+  assert(support::remove_small_handles(bun, 1.1 * through_hole) == 1);
+  parts = components(bun);
+  assert(parts.size() == 1 && parts[0].euler_characteristic == 2);
+  assert(parts[0].volume > bun_volume && is_within(parts[0].volume, bun_volume, 0.01));
+  assert(!bun.vertices.empty() && std::any_of(bun.vertices.begin(), bun.vertices.end(), [](const Vec3& p) {
+    return std::hypot(p.x(), p.y()) < 0.02 && std::abs(p.z()) < 0.2;
+  }));
+
+  // of several components and handles only the small ones go, whatever the order
+  Triangle_mesh several = torus_mesh(1, 0.25, 96, 24);
+  append(several, torus_mesh(0.1, 0.025, 48, 12), Vec3(3, 0, 0));
+  append(several, torus_mesh(0.1, 0.08, 48, 48), Vec3(0, 3, 0));
+  assert(support::remove_small_handles(several, 0.9 * around_tube) == 2);
+  parts = components(several);
+  assert(parts.size() == 3 && parts[0].euler_characteristic == 0 && parts[1].euler_characteristic == 2
+         && parts[2].euler_characteristic == 2);
+
+  // noise as wide as half of the tube hides it, a tenth of that does not
+  Triangle_mesh noisy = whole;
+  assert(support::remove_handles_of_noise(noisy, 0) == 0 && support::remove_handles_of_noise(noisy, 0.025) == 0);
+  assert(support::remove_handles_of_noise(noisy, 0.25) == 1);
+}
+
 }  // namespace
 
 int main()
@@ -368,6 +435,7 @@ int main()
   outliers_are_survived();
   what_cannot_be_refined_is_taken_from_the_tetrahedra();
   bad_input_is_named();
+  small_handles_are_parted_or_filled();
   std::cout << "Poisson meshing: all facts hold" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -10,6 +10,8 @@
 #include <CGAL/edge_aware_upsample_point_set.h>
 #include <CGAL/meso_skeleton_to_graph.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -57,18 +59,22 @@ void collect_inner(Consolidation& consolidation, Consolidation_result& result)
   }
 }
 
-void collect_completed(const Consolidation& consolidation, std::size_t n, Consolidation_result& result)
+void collect_completed(const Consolidation& consolidation, const Scan_ranges& scan, Consolidation_result& result)
 {
+  const std::size_t n = scan.points.size();
   std::vector<CGAL::Completed_point_3<Kernel> > points;
   consolidation.completed_points(std::back_inserter(points));
   Point_cloud& completed = result.completed;
+  double moved = 0;
   for(std::size_t i = 0; i < n; ++i) {
     if(consolidation.is_outlier(i))
       continue;
     completed.points.push_back(vec3(consolidation.denoised_point(i)));
+    moved += (completed.points.back() - vec3(scan.points[i])).squaredNorm();
     completed.normals.push_back(vec3(consolidation.denoised_normal(i)));
     completed.confidence.push_back(1);
   }
+  result.noise = std::sqrt(moved / double((std::max)(completed.size(), std::size_t(1))));
   for(const CGAL::Completed_point_3<Kernel>& p : points) {
     completed.points.push_back(vec3(p.outer()));
     completed.normals.push_back(vec3(p.normal()));
@@ -132,7 +138,7 @@ Consolidation_result consolidate_by_deep_points(const Scan_ranges& scan,
         collect_inner(consolidation, result);
       if(o.wants_completed) {
         consolidation.complete_missing_parts();
-        collect_completed(consolidation, n, result);
+        collect_completed(consolidation, scan, result);
       }
     }
     result.times = consolidation.stage_times();
