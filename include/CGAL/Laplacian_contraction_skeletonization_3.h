@@ -233,7 +233,8 @@ private:
     p.most_samples = parameter_or(np, names::number_of_samples, samples);
     require(p.most_samples >= least_points, f, "number_of_samples must be at least 4");
     Point_set_consolidation_3::internal::Contraction_parameters& c = p.contraction;
-    c.weights = parameter_or(np, names::laplacian_weights, c.weights);
+    c.weights = enumerator(f, np, names::laplacian_weights, "laplacian_weights", c.weights,
+                           Point_set_consolidation_3::Laplacian_weights::COMBINATORIAL);
     c.contraction_weight =
       positive(f, np, names::contraction_weight, "contraction_weight", c.contraction_weight);
     c.attraction_weight =

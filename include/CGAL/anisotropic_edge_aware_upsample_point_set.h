@@ -215,7 +215,8 @@ OutputIterator anisotropic_edge_aware_upsample_point_set(
   const Points normals = copy_unit_normals(function, points, np);
   Edge_aware_parameters parameters;
   parameters.oriented = true;
-  parameters.formula = parameter_or(np, tags::upsampling_formula, parameters.formula);
+  parameters.formula = enumerator(function, np, tags::upsampling_formula, "upsampling_formula",
+                                  parameters.formula, Point_set_consolidation_3::Upsampling_formula::EDGES);
   parameters.number_of_points =
     parameter_or(np, tags::number_of_output_points, 4 * world.size());
   parameters.neighbor_radius = parameter_or(np, tags::neighbor_radius, 0.);

@@ -147,7 +147,8 @@ OutputIterator anisotropic_wlop_simplify_and_regularize_point_set(
 
   Projection_settings settings;
   Anisotropic_wlop_parameters& wlop = settings.wlop;
-  wlop.formula = parameter_or(np, tags::anisotropic_formula, wlop.formula);
+  wlop.formula = enumerator(function, np, tags::anisotropic_formula, "anisotropic_formula", wlop.formula,
+                            Point_set_consolidation_3::Anisotropic_formula::SEPARATED);
   wlop.support_radius = parameter_or(np, tags::neighbor_radius, 0.);
   wlop.plane_width = parameter_or(np, tags::plane_width, 0.);
   wlop.repulsion = parameter_or(np, tags::repulsion_weight, wlop.repulsion);

@@ -116,7 +116,8 @@ std::size_t density_peak_segment_point_set(
   const Points world = copy_points(function, points, np, least_points);
   const Points normals = copy_normals(function, points, np);
   Segmentation_settings settings;
-  settings.method = parameter_or(np, tags::segmentation_method, settings.method);
+  settings.method = enumerator(function, np, tags::segmentation_method, "segmentation_method", settings.method,
+                               Point_set_consolidation_3::Segmentation_method::SKELETON);
   settings.radius = parameter_or(np, tags::neighbor_radius, 0.);
   settings.prominence = parameter_or(np, tags::prominence, settings.prominence);
   settings.skeleton.penalty = parameter_or(np, tags::variation_penalty, settings.skeleton.penalty);

@@ -159,7 +159,8 @@ bool feature_enhanced_surface_reconstruction(
   settings.sharpness_angle = parameter_or(np, tags::sharpness_angle, settings.sharpness_angle);
   settings.upsampling_factor = parameter_or(np, tags::upsampling_factor, settings.upsampling_factor);
   settings.segmentation.method =
-    parameter_or(np, tags::segmentation_method, settings.segmentation.method);
+    enumerator(function, np, tags::segmentation_method, "segmentation_method", settings.segmentation.method,
+               Point_set_consolidation_3::Segmentation_method::SKELETON);
   settings.segmentation.skeleton.count =
     parameter_or(np, tags::number_of_segments, std::size_t(0));
   settings.field.resolution = parameter_or(np, tags::grid_resolution, settings.field.resolution);
@@ -167,8 +168,11 @@ bool feature_enhanced_surface_reconstruction(
   settings.field.normal_weight = parameter_or(np, tags::normal_weight, settings.field.normal_weight);
   if constexpr(has_parameter<NP, tags::segment_methods_t>) {
     const auto methods = CGAL::parameters::get_parameter(np, tags::segment_methods);
-    for(const auto& method : dereferenced(methods))
+    for(const auto& method : dereferenced(methods)) {
+      require(method <= Point_set_consolidation_3::Part_method::SKELETON, function,
+              "segment_methods has a value that is none of the methods");
       settings.methods.push_back(method);
+    }
   }
   require(settings.sharpness_angle > 0 && settings.sharpness_angle < 90, function,
           "sharpness_angle must be in (0, 90)");

@@ -749,7 +749,9 @@ void bad_input()
                                      CGAL::Constant_property_map<Point, Vector>(Vector(0, 0, 0)))),
                   "scanner"));
   using CGAL::Point_set_consolidation_3::Prior;
+  using CGAL::Point_set_consolidation_3::Data_term;
   assert(contains(rejected(sphere, params::prior(Prior(3))), "prior is none"));
+  assert(contains(rejected(sphere, params::data_term(Data_term(2))), "data_term is none"));
   assert(contains(rejected(sphere, params::prior_map(CGAL::Constant_property_map<Point, Prior>(Prior(200)))),
                   "prior_map: point 0"));
   bad_views(sphere);

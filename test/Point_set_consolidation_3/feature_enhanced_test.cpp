@@ -216,5 +216,15 @@ int main()
   assert(throws_invalid([&] {
     CGAL::anisotropic_edge_aware_upsample_point_set<Tag>(cube, std::back_inserter(nothing));
   }));
+  assert(throws_invalid([&] {
+    CGAL::anisotropic_wlop_simplify_and_regularize_point_set<Tag>(
+      cube, std::back_inserter(nothing),
+      params::anisotropic_formula(Anisotropic_formula(3)));
+  }));
+  assert(throws_invalid([&] {
+    CGAL::anisotropic_edge_aware_upsample_point_set<Tag>(projected, std::back_inserter(nothing),
+                                                         maps.upsampling_formula(Upsampling_formula(3)));
+  }));
+  assert(nothing.empty());
   std::cout << "done\n";
 }

@@ -17,6 +17,8 @@
 #include <cassert>
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -124,6 +126,14 @@ int main()
     assert(largest + 1 == segments);  // no segment is empty
     return segments;
   };
+
+  try {
+    segment(Segmentation_method(3), 0);
+    assert(false);
+  }
+  catch(const std::invalid_argument& error) {
+    assert(std::string(error.what()).find("segmentation_method is none") != std::string::npos);
+  }
 
   // By the skeleton: two balls and a bar.
   assert(segment(Segmentation_method::SKELETON, 0) == 3);

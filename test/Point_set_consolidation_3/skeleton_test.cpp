@@ -374,6 +374,8 @@ void test_errors()
   assert(extract(points, params::contraction_factor(0.5)));
   assert(extract(points, params::sampling_radius(-1.)));
   assert(extract(points, params::k_neighbors(2)));
+  assert(extract(points, params::laplacian_weights(CGAL::Point_set_consolidation_3::Laplacian_weights(3))));
+  assert(extract(points, params::laplacian_weights(CGAL::Point_set_consolidation_3::Laplacian_weights(-1))));
   assert(num_vertices(skeleton) == 0);
   const std::vector<std::vector<std::size_t> > bad = {{0, 1, 1000}};
   assert(throws([&] { CGAL::extract_laplacian_contraction_skeleton<Tag>(points, bad, skeleton); }));

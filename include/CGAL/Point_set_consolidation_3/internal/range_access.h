@@ -154,6 +154,17 @@ double not_negative(const char* function, const NP& np, Tag tag, const char* nam
   return value;
 }
 
+/// One of an enumeration's values, which count from 0 to `last`, or its default.
+template <typename NP, typename Tag, typename Enumeration>
+Enumeration enumerator(const char* function, const NP& np, Tag tag, const char* name, Enumeration fallback,
+                       Enumeration last)
+{
+  const Enumeration value = parameter_or(np, tag, fallback);
+  if(std::size_t(value) > std::size_t(last))
+    throw_invalid(function, std::string(name) + " is none of its values");
+  return value;
+}
+
 /// Hands the stages' times to the caller who asked for them.
 template <typename NP>
 void report_stage_times(const NP& np, const Stage_times& times)

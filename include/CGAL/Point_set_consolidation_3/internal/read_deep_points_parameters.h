@@ -96,9 +96,10 @@ Surface_parameters read_surface_parameters(const char* function, const NP& np, d
   surface.smoothing_radius = smoothing_radius;
   surface.repulsion =
     not_negative(function, np, internal_np::surface_repulsion, "surface_repulsion", 0.4);
-  surface.data_term = parameter_or(np, internal_np::data_term, Data_term::FULL);
-  surface.prior = parameter_or(np, internal_np::prior, Prior::VOLUME_PRESERVING);
-  require(is_prior(surface.prior), function, "prior is none of the priors");
+  surface.data_term =
+    enumerator(function, np, internal_np::data_term, "data_term", Data_term::FULL, Data_term::NORMAL);
+  surface.prior =
+    enumerator(function, np, internal_np::prior, "prior", Prior::VOLUME_PRESERVING, Prior::FLAT);
   surface.iterations =
     parameter_or(np, internal_np::number_of_surface_iterations, std::size_t(90));
   surface.completed_spacing =
