@@ -27,7 +27,7 @@ struct Poisson_options {
 ///
 /// - All components of the iso-surface that carry data are meshed, whatever their size and place: a
 /// component carries
-///   data if it passes within 2 spacings of an input point. The others, blobs far from the scan,
+///   data if it passes within 0.75 spacings of an input point. The others, blobs far from the scan,
 ///   are dropped.
 /// - The mesh is a closed, orientable 2-manifold. Normals point to where the implicit function is
 /// positive: outer

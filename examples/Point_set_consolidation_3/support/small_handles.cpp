@@ -174,7 +174,7 @@ Loop short_loop(const Triangle_mesh& triangles, const Mesh& mesh, Vertex root, d
   for(const Loop& rough : Loop_system(triangles, mesh, root).loops()) {
     if(rough.length > promising * longest_loop)
       break;
-    const Loop loop = shortened(triangles, mesh, rough);
+    Loop loop = shortened(triangles, mesh, rough);
     if(loop.length <= longest_loop)
       return loop;
   }
