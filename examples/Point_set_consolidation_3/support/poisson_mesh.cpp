@@ -5,6 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Implicit_surface_3.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Poisson_reconstruction_function.h>
 #include <CGAL/Random.h>
 #include <CGAL/Robust_circumcenter_traits_3.h>
@@ -67,6 +68,7 @@ using Mesher_cell = Numbered<CGAL::Delaunay_triangulation_cell_base_with_circumc
 using Mesher_triangulation = CGAL::Delaunay_triangulation_3<
     Mesher_traits, CGAL::Triangulation_data_structure_3<Mesher_vertex, Mesher_cell>>;
 using Complex = CGAL::Surface_mesh_complex_2_in_triangulation_3<Mesher_triangulation>;
+using CGAL::Point_set_consolidation_3::internal::Disjoint_sets;  // components are numbered by their first member
 using Face = std::array<std::size_t, 3>;
 
 /// A component carries data if it comes this close to an input point, in spacings: less than one, so that bubbles
@@ -409,33 +411,6 @@ struct Iso_surface {
   std::vector<char> carries_data;      ///< per component
 };
 
-class Union_find {
-public:
-  explicit Union_find(std::size_t n) : m_parent(n)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
-  }
-  std::size_t root(std::size_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j)
-  {
-    i = root(i);
-    j = root(j);
-    // The smaller index becomes the root: components are then numbered by their first member.
-    if(i < j)
-      m_parent[j] = i;
-    else
-      m_parent[i] = j;
-  }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
-
 /// Point of the zero set on the edge from an inside vertex to an outside vertex.
 Vec3 zero_on_edge(Tetrahedra::Vertex_handle inside, Tetrahedra::Vertex_handle outside)
 {
@@ -449,7 +424,7 @@ Iso_surface trace_iso_surface(const Implicit_function& function, const Point_gri
   const Tetrahedra& tetrahedra = function.tetrahedra();
   Iso_surface surface;
   surface.component_of_cell.assign(function.number_of_cells(), Iso_surface::none);
-  Union_find joined(function.number_of_cells());
+  Disjoint_sets joined(function.number_of_cells());
 
   for(auto c = tetrahedra.finite_cells_begin(); c != tetrahedra.finite_cells_end(); ++c) {
     Vec3 sum = Vec3::Zero();
@@ -478,7 +453,7 @@ Iso_surface trace_iso_surface(const Implicit_function& function, const Point_gri
 
   std::vector<Eigen::AlignedBox3d> boxes;
   for(Iso_surface::Crossing& crossing : surface.crossings) {
-    const std::size_t root = joined.root(crossing.cell->info());
+    const std::size_t root = joined.find(crossing.cell->info());
     if(surface.component_of_cell[root] == Iso_surface::none) {
       surface.component_of_cell[root] = int(surface.carries_data.size());
       surface.carries_data.push_back(false);
@@ -724,7 +699,7 @@ bool is_closed_manifold(const Triangle_mesh& mesh)
 Triangle_mesh keep_data_components(const Triangle_mesh& mesh, const Iso_surface& surface,
                                    Implicit_function& function)
 {
-  Union_find joined(mesh.vertices.size());
+  Disjoint_sets joined(mesh.vertices.size());
   for(const Face& f : mesh.faces) {
     joined.join(f[0], f[1]);
     joined.join(f[1], f[2]);
@@ -732,18 +707,18 @@ Triangle_mesh keep_data_components(const Triangle_mesh& mesh, const Iso_surface&
   std::vector<long> votes(mesh.vertices.size(), 0);
   std::vector<Eigen::AlignedBox3d> boxes(mesh.vertices.size());
   for(std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    boxes[joined.root(v)].extend(mesh.vertices[v]);
+    boxes[joined.find(v)].extend(mesh.vertices[v]);
     const int cell = function.cell_of(mesh.vertices[v]);
     const int component = cell < 0 ? Iso_surface::none : surface.component_of_cell[cell];
     if(component != Iso_surface::none)
-      votes[joined.root(v)] += surface.carries_data[component] ? 1 : -1;
+      votes[joined.find(v)] += surface.carries_data[component] ? 1 : -1;
   }
 
   Triangle_mesh kept;
   constexpr std::size_t not_yet = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> new_index(mesh.vertices.size(), not_yet);
   for(const Face& f : mesh.faces) {
-    const std::size_t root = joined.root(f[0]);
+    const std::size_t root = joined.find(f[0]);
     if(votes[root] <= 0 || boxes[root].diagonal().norm() < min_component_diameter)
       continue;
     Face face;
