@@ -252,7 +252,8 @@ void run(int argc, char** argv)
                  cloud.size(), result.outliers, result.consolidated.size(), result.completed_points, seconds,
                  mesh.empty() ? "" : "; meshed");
   if(!o.quiet && removed_handles > 0)
-    std::fprintf(stderr, "handles no wider than three times the noise (%g) removed from the mesh: %zu, see --keep-handles\n",
+    std::fprintf(stderr, "handles no wider than three times the noise (%g) removed from the mesh: %zu, "
+                 "see --keep-handles\n",
                  3 * result.noise, removed_handles);
   support::report_files(o.quiet, {o.output, o.completed, o.inner, o.deep_points, o.mesh, o.picture,
                                   o.json});
