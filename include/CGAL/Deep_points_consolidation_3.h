@@ -184,7 +184,7 @@ private:
       const auto map = CGAL::parameters::get_parameter(np, names::prior_map);
       for(auto it = points.begin(); it != points.end(); ++it) {
         gaps.priors.push_back(get(map, *it));
-        if(!is_prior(gaps.priors.back()))
+        if(!is_enumerator(gaps.priors.back(), Point_set_consolidation_3::Prior::FLAT))
           throw_invalid(function, "prior_map: point " + std::to_string(gaps.priors.size() - 1) + " has none of the priors");
       }
     }

@@ -169,7 +169,7 @@ bool feature_enhanced_surface_reconstruction(
   if constexpr(has_parameter<NP, tags::segment_methods_t>) {
     const auto methods = CGAL::parameters::get_parameter(np, tags::segment_methods);
     for(const auto& method : dereferenced(methods)) {
-      require(method <= Point_set_consolidation_3::Part_method::SKELETON, function,
+      require(is_enumerator(method, Point_set_consolidation_3::Part_method::SKELETON), function,
               "segment_methods has a value that is none of the methods");
       settings.methods.push_back(method);
     }

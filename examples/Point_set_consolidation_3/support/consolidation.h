@@ -41,7 +41,7 @@ struct Consolidation_result {
   Point_cloud consolidated;          ///< the method's own points
   Point_cloud completed;             ///< the caller's points but outliers, then the missing ones; may be empty
   std::size_t completed_points = 0;  ///< how many of them are new
-  double noise = 0;                  ///< of the scan, along its rays; 0: not denoised
+  double noise = 0;                  ///< how far denoising moved the points, root mean square; 0: clean
   std::size_t outliers = 0;          ///< how many of the caller's points are left out
   Segment_graph deep_points;         ///< outer and inner vertices, radius: length of the deep point
   Segment_graph inner;               ///< the meso-skeleton's points with radius

@@ -18,8 +18,7 @@ namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
 
-constexpr std::size_t number_of_priors = 3;
-inline bool is_prior(Prior prior) { return std::size_t(prior) < number_of_priors; }
+constexpr std::size_t number_of_priors = std::size_t(Prior::FLAT) + 1;
 
 /// Deep points paper: the parameters of its sections, with defaults. Lengths in units of r.
 

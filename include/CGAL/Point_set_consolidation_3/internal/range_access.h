@@ -154,13 +154,20 @@ double not_negative(const char* function, const NP& np, Tag tag, const char* nam
   return value;
 }
 
-/// One of an enumeration's values, which count from 0 to `last`, or its default.
+/// Is it one of an enumeration's values, which count from 0 to `last`?
+template <typename Enumeration>
+bool is_enumerator(Enumeration value, Enumeration last)
+{
+  return std::size_t(value) <= std::size_t(last);
+}
+
+/// One of an enumeration's values from the named parameters, or its default.
 template <typename NP, typename Tag, typename Enumeration>
 Enumeration enumerator(const char* function, const NP& np, Tag tag, const char* name, Enumeration fallback,
                        Enumeration last)
 {
   const Enumeration value = parameter_or(np, tag, fallback);
-  if(std::size_t(value) > std::size_t(last))
+  if(!is_enumerator(value, last))
     throw_invalid(function, std::string(name) + " is none of its values");
   return value;
 }
