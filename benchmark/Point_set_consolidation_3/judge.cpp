@@ -7,17 +7,20 @@
 #include "point_tree.h"
 #include "random_numbers.h"
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 namespace benchmark {
 
 namespace {
+
+using CGAL::Point_set_consolidation_3::internal::Disjoint_sets;
 
 /// Scan samples looked at for each sample of the truth: more than lie within two spacings on one sheet.
 constexpr std::size_t seen_candidates = 24;
@@ -70,26 +73,6 @@ double fscore(const Distance_statistics& forward, const Distance_statistics& rev
   const double sum = forward.share_within[limit] + reverse.share_within[limit];
   return sum > 0.0 ? 2.0 * forward.share_within[limit] * reverse.share_within[limit] / sum : 0.0;
 }
-
-/// Sets of elements that are merged pairwise.
-class Union_find {
-public:
-  explicit Union_find(std::size_t count) : m_parent(count)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), 0);
-  }
-
-  std::size_t root(std::size_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-  void merge(std::size_t i, std::size_t j) { m_parent[root(i)] = root(j); }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
 
 struct Medial_balls {
   std::vector<Vec3> points;   ///< surface samples
@@ -167,14 +150,14 @@ Topology topology_of(const Triangle_mesh& mesh)
   Topology result;
   // per undirected edge: facets that run from the lower to the higher vertex, and the other way
   std::map<std::pair<std::size_t, std::size_t>, std::array<int, 2>> edges;
-  Union_find components(mesh.vertices.size());
+  Disjoint_sets components(mesh.vertices.size());
   std::vector<bool> used(mesh.vertices.size(), false);
   for(const auto& face : mesh.faces) {
     for(std::size_t k = 0; k < 3; ++k) {
       const std::size_t a = face[k];
       const std::size_t b = face[(k + 1) % 3];
       ++edges[{std::min(a, b), std::max(a, b)}][a < b ? 0 : 1];
-      components.merge(a, b);
+      components.join(a, b);
       used[a] = true;
     }
     result.volume
@@ -189,7 +172,7 @@ Topology topology_of(const Triangle_mesh& mesh)
     if(!used[v])
       continue;
     ++vertices;
-    if(components.root(v) == v)
+    if(components.find(v) == v)
       ++result.components;
   }
   const double euler = static_cast<double>(vertices) - static_cast<double>(edges.size())
@@ -397,11 +380,11 @@ Skeleton_verdict Judge::skeleton(const Segment_graph& result) const
     throw support::Method_error("judge: empty skeleton");
 
   // components and cycles of the graph
-  Union_find components(result.vertices.size());
+  Disjoint_sets components(result.vertices.size());
   for(const auto& edge : result.edges)
-    components.merge(edge[0], edge[1]);
+    components.join(edge[0], edge[1]);
   for(std::size_t v = 0; v < result.vertices.size(); ++v)
-    verdict.components += components.root(v) == v;
+    verdict.components += components.find(v) == v;
   verdict.cycles = result.edges.size() + verdict.components - result.vertices.size();
 
   // samples every `skeleton_step` along the edges; a graph without edges is judged by its vertices

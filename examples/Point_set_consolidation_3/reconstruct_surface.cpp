@@ -50,6 +50,14 @@ struct Options {
   bool denoises = false;
 };
 
+// Of the points in the equations of the field, unless told.
+double surface_weight(const Options& options)
+{
+  if(options.surface_weight > 0)
+    return options.surface_weight;
+  return options.method == "feature-enhanced" ? 500 : 50;
+}
+
 struct Run {
   const Options& options;
   support::Progress_bar& progress;
@@ -89,7 +97,7 @@ support::Triangle_mesh skeleton_driven(Run& run)
     params::grid_resolution(options.resolution)
       .adaptive(!options.is_regular)
       .smoothness_weight(options.smoothness_weight)
-      .surface_weight(options.surface_weight > 0 ? options.surface_weight : 50)
+      .surface_weight(surface_weight(options))
       .skeleton_weight(options.skeleton_weight)
       .outside_weight(options.outside_weight)
       .outside_factor(options.outside_factor)
@@ -151,7 +159,7 @@ support::Triangle_mesh feature_enhanced(Run& run)
         .sharpness_angle(options.sharpness_angle)
         .upsampling_factor(options.upsampling)
         .grid_resolution(options.resolution)
-        .surface_weight(options.surface_weight > 0 ? options.surface_weight : 500)
+        .surface_weight(surface_weight(options))
         .normal_weight(options.normal_weight)
         .enhance_features(options.denoises)
         .stage_times(std::ref(run.times))

@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Implicit_surface_3.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Poisson_reconstruction_function.h>
 #include <CGAL/Random.h>
 #include <CGAL/Robust_circumcenter_traits_3.h>

@@ -3,7 +3,7 @@
 
 #include "small_handles.h"
 
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

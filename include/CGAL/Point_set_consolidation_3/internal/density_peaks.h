@@ -9,6 +9,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_DENSITY_PEAKS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_DENSITY_PEAKS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/feature_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_denser.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/orientation.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 
 namespace CGAL {

@@ -8,8 +8,8 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FIELD_TOPOLOGY_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_FIELD_TOPOLOGY_H
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/marching_tetrahedra.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <cmath>
 #include <functional>

@@ -9,6 +9,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_SEGMENTS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_L1_MEDIAL_SEGMENTS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/l1_medial.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>

@@ -9,6 +9,7 @@
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_GRAPH_H
 
 #include <CGAL/Point_set_consolidation_3/internal/deep_points_parameters.h>
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_curves.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_graph_types.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_labels.h>

@@ -8,10 +8,10 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_LABELS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_MESO_LABELS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/meso_graph_types.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>
 #include <CGAL/Point_set_consolidation_3/internal/tangent_rings.h>
 #include <CGAL/Point_set_consolidation_3/options.h>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/connected_components.h>
 #include <CGAL/Point_set_consolidation_3/internal/iterative_parameters.h>
-#include <CGAL/Point_set_consolidation_3/internal/normal_equations.h>
-#include <CGAL/Point_set_consolidation_3/internal/orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/near_outliers.h>
+#include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
@@ -22,156 +22,8 @@ namespace Point_set_consolidation_3 {
 namespace internal {
 
 /// Iterative consolidation paper, section IV-B, end: which data points are outliers. The paper's rule, the distance
-/// from the up-sampled surface, finds far ones; for those closer than h the data's own surface is the reference.
-
-/// Heights over a tangent plane as a quadric of the plane's coordinates, fitted to neighbours of which many may
-/// be outliers: iteratively reweighted least squares with Cauchy weights. The particles' surface, which is coarser
-/// than the data, gives plane and first weights only.
-class Robust_height {
-  static constexpr std::size_t iterations = 6;
-  typedef Height_frame::Vector Vector;
-  typedef Height_frame::Matrix Matrix;
-
-public:
-  /// Offsets are relative to the origin of the plane.
-  Robust_height(const Vec3& normal, std::size_t capacity)
-  {
-    Vec3::Index smallest;
-    normal.cwiseAbs().minCoeff(&smallest);
-    m_frame.normal = normal;
-    m_frame.u = normalized_or(normal.cross(Vec3(Vec3::Unit(smallest))), Vec3::UnitX());
-    m_frame.v = normal.cross(m_frame.u);
-    m_offsets.reserve(capacity);
-    m_first_distances.reserve(capacity);
-  }
-
-  /// `distance`: of the neighbour from the particles' surface.
-  void add(const Vec3& offset, double distance)
-  {
-    m_offsets.push_back(offset);
-    m_first_distances.push_back(distance);
-  }
-
-  /// False if there are too few neighbours. `least_scale` bounds the residuals' scale from below.
-  bool fit(double least_scale)
-  {
-    const std::size_t n = m_offsets.size();
-    if(n < 2 * Height_frame::coefficients)
-      return false;
-    m_frame.unit = 0;
-    for(const Vec3& d : m_offsets)
-      m_frame.unit = (std::max)(m_frame.unit, std::hypot(m_frame.u.dot(d), m_frame.v.dot(d)));
-    if(!(m_frame.unit > 0))
-      return false;
-    std::vector<Vector> rows(n);
-    std::vector<double> heights(n);
-    for(std::size_t k = 0; k < n; ++k) {
-      rows[k] = m_frame.monomials(m_offsets[k]);
-      heights[k] = m_frame.height(m_offsets[k]);
-    }
-    m_residuals = m_first_distances;
-    for(std::size_t t = 0; t < iterations; ++t) {
-      const double scale = (std::max)(least_scale, 1.5 * median(m_residuals));
-      Matrix A = Matrix::Zero();
-      Vector b = Vector::Zero();
-      for(std::size_t k = 0; k < n; ++k) {
-        const double r = m_residuals[k] / scale, weight = 1 / ((1 + r * r) * (1 + r * r));
-        A += weight * rows[k] * rows[k].transpose();
-        b += weight * heights[k] * rows[k];
-      }
-      A.diagonal().array() += 1e-6 * A(0, 0);
-      m_c = solve_normal_equations(A, b);
-      if(!m_c.allFinite())
-        return false;
-      for(std::size_t k = 0; k < n; ++k)
-        m_residuals[k] = std::abs(heights[k] - rows[k].dot(m_c));
-    }
-    return true;
-  }
-
-  double median_residual() const { return median(m_residuals); }
-
-  /// Distance from the quadric, to first order.
-  double distance(const Vec3& offset) const
-  {
-    const double slope = std::hypot(m_c[1], m_c[2]) / m_frame.unit;
-    return std::abs(m_frame.height(offset) - m_frame.monomials(offset).dot(m_c)) /
-           std::sqrt(1 + slope * slope);
-  }
-
-private:
-  Height_frame m_frame;
-  std::vector<Vec3> m_offsets;
-  std::vector<double> m_first_distances, m_residuals;
-  Vector m_c = Vector::Zero();
-};
-
-/// Of `is_candidate`, the data off the surface of the data that `is_left_out` does not flag. `feet` and `normals` are
-/// those of the data on the particles' surface, `distance` their distances from it; `order` is that of places.
-inline std::vector<char> near_outliers(const Execution& execution, const Points& data,
-                                       const std::vector<Index>& order, const Points& feet, const Points& normals,
-                                       const std::vector<double>& distance, const std::vector<char>& is_candidate,
-                                       const std::vector<char>& is_left_out,
-                                       const std::vector<Outlier_evidence>& evidences,
-                                       const Outlier_parameters& parameters)
-{
-  constexpr std::size_t fitted_neighbors = 24, sparsity_neighbors = 6;
-  constexpr double least_scale = 0.25;  // of the limit: smaller residuals all have full weight
-  const double h = parameters.support_radius, limit = evidences.front().distance * h;
-  std::vector<std::size_t> kept;
-  Points points;
-  for(std::size_t i = 0; i < data.size(); ++i)
-    if(!is_left_out[i]) {
-      kept.push_back(i);
-      points.push_back(data[i]);
-    }
-  std::vector<char> is_outlier(data.size(), 0);
-  if(kept.size() <= fitted_neighbors)
-    return is_outlier;
-  const Nearest_neighbors tree(execution, points);
-  const auto neighbors_of = [&](std::size_t i, const Vec3& place, std::size_t k) {
-    std::vector<Neighbor> found;
-    tree.find(place, k + 1, found);
-    const auto self = std::find_if(found.begin(), found.end(),
-                                   [&](const Neighbor& n) { return kept[n.index] == i; });
-    found.erase(self == found.end() ? found.end() - 1 : self);
-    return found;
-  };
-  std::vector<double> sparsity(data.size(), 0.);
-  parallel_for_places(execution, order, [&](std::size_t i) {
-    for(const Neighbor& neighbor : neighbors_of(i, data[i], sparsity_neighbors))
-      sparsity[i] += std::sqrt(neighbor.squared_distance);
-  });
-  double least_sparsity = evidences.front().sparsity;
-  for(const Outlier_evidence& evidence : evidences)
-    least_sparsity = (std::min)(least_sparsity, evidence.sparsity);
-  // how dense the data is, the neighbours of the foot tell: those of the point may be outliers themselves
-  const auto is_off = [&](std::size_t i, const Vec3& place, bool tests_sparsity) {
-    const std::vector<Neighbor> found = neighbors_of(i, place, fitted_neighbors);
-    std::vector<double> sparsities;
-    sparsities.reserve(found.size());
-    for(const Neighbor& neighbor : found)
-      sparsities.push_back(sparsity[kept[neighbor.index]]);
-    const double relative_sparsity = sparsity[i] / median(std::move(sparsities));
-    if(tests_sparsity && relative_sparsity <= least_sparsity)
-      return false;
-    Robust_height quadric(normals[i], found.size());
-    for(const Neighbor& neighbor : found)
-      quadric.add(points[neighbor.index] - feet[i], distance[kept[neighbor.index]]);
-    if(!quadric.fit(least_scale * limit))
-      return false;
-    const double off = quadric.distance(data[i] - feet[i]);
-    return off > limit && off > parameters.near_factor * quadric.median_residual() &&
-           (!tests_sparsity ||
-            std::any_of(evidences.begin(), evidences.end(), [&](const Outlier_evidence& evidence) {
-              return off > evidence.distance * h && relative_sparsity > evidence.sparsity;
-            }));
-  };
-  parallel_for_places(execution, order, [&](std::size_t i) {
-    is_outlier[i] = is_candidate[i] && is_off(i, feet[i], true) && is_off(i, data[i], false);
-  });
-  return is_outlier;
-}
+/// from the up-sampled surface, finds far ones; for those closer than h the data's own surface is the reference
+/// (`Near_outliers`).
 
 inline std::size_t number_of_flagged(const std::vector<char>& flags)
 {
@@ -243,8 +95,7 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
   const double h = parameters.support_radius;
   const Nearest_neighbors tree(execution, surface);
   const std::vector<Index> order = place_order(data);
-  std::vector<double> distance(data.size());  // mean, from the tangent planes
-  Points feet = data, normals(data.size());   // on the particles' surface
+  Data_on_surface foot{data, Points(data.size()), std::vector<double>(data.size())};
   parallel_for_places(execution, order, [&](std::size_t i) {
     std::vector<Neighbor> found;
     tree.find(data[i], planes, found);
@@ -254,13 +105,13 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
     for(const Neighbor& u : found) {
       const Vec3& n = surface_normals[u.index];
       const double d = n.dot(data[i] - surface[u.index]);
-      distance[i] += std::abs(d) / double(found.size());
+      foot.distance[i] += std::abs(d) / double(found.size());  // mean, from the tangent planes
       const double sign = n.dot(side) < 0 ? -1 : 1;
       height += sign * d / double(found.size());
       normal += sign * n;
     }
-    normals[i] = normalized_or(normal, side);
-    feet[i] -= height * normals[i];
+    foot.normals[i] = normalized_or(normal, side);
+    foot.feet[i] -= height * foot.normals[i];
     const double far = parameters.far_distance * h;
     is_outlier[i] = found.front().squared_distance > far * far;
     is_beyond[i] = found.front().squared_distance > (std::max)(far, h) * (std::max)(far, h);
@@ -274,17 +125,13 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
     constexpr double suspicious = 0.3;  // of the least distance: the particles' surface is farther from most outliers
     std::vector<char> is_candidate(data.size());
     for(std::size_t i = 0; i < data.size(); ++i)
-      is_candidate[i] = !is_outlier[i] && distance[i] > suspicious * parameters.near.front().distance * h;
-    const auto near_outliers_of = [&](const std::vector<Outlier_evidence>& evidences,
-                                      const std::vector<char>& is_near) {
-      return near_outliers(execution, data, order, feet, normals, distance, is_candidate,
-                           either(is_outlier, is_near), evidences, parameters);
-    };
+      is_candidate[i] = !is_outlier[i] && foot.distance[i] > suspicious * parameters.near.front().distance * h;
+    const Near_outliers near(execution, data, order, foot, parameters);
     // without those found before, which hide others and spoil the fits
     constexpr int passes = 3;
     std::vector<char> is_near(data.size(), 0);
     for(int pass = 0; pass < passes; ++pass) {
-      std::vector<char> found = near_outliers_of(parameters.near, is_near);
+      std::vector<char> found = near.find(is_candidate, either(is_outlier, is_near), parameters.near);
       const bool is_settled = found == is_near;
       is_near.swap(found);
       if(is_settled)
@@ -294,7 +141,7 @@ inline std::vector<char> outlier_points(const Execution& execution, const Points
        (std::max)(parameters.scattered_share * double(data.size()),
                   parameters.scattered_share_of_far * double(number_of_flagged(is_outlier)))) {
       is_candidate = is_near;
-      is_near = near_outliers_of({parameters.scattered}, is_near);
+      is_near = near.find(is_candidate, either(is_outlier, is_near), {parameters.scattered});
     }
     is_outlier = either(is_outlier, is_near);
   }

@@ -8,10 +8,10 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_GRAPH_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_GRAPH_H
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/points.h>
 
 #include <array>
-#include <numeric>
 #include <utility>
 
 namespace CGAL {
@@ -65,33 +65,6 @@ inline std::vector<std::vector<std::size_t> > adjacency(const Skeleton_graph& gr
     std::sort(list.begin(), list.end());
   return neighbors;
 }
-
-/// Disjoint sets; the representative of a set is its smallest member.
-class Disjoint_sets {
-public:
-  explicit Disjoint_sets(std::size_t n) : m_parent(n)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
-  }
-  std::size_t find(std::size_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-  bool join(std::size_t a, std::size_t b)
-  {
-    a = find(a);
-    b = find(b);
-    if(a == b)
-      return false;
-    m_parent[(std::max)(a, b)] = (std::min)(a, b);
-    return true;
-  }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
 
 /// Component of every node, numbered in the order of their first nodes.
 inline std::vector<std::size_t> component_labels(const Skeleton_graph& graph,

@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_HOMOLOGY_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_SKELETON_HOMOLOGY_H
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <cstdint>

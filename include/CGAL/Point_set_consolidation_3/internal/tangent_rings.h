@@ -8,6 +8,7 @@
 #ifndef CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_TANGENT_RINGS_H
 #define CGAL_POINT_SET_CONSOLIDATION_3_INTERNAL_TANGENT_RINGS_H
 
+#include <CGAL/Point_set_consolidation_3/internal/disjoint_sets.h>
 #include <CGAL/Point_set_consolidation_3/internal/execution.h>
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
@@ -90,15 +91,16 @@ class Tangent_ring_finder {
   };
 
 public:
-  Tangent_ring_finder(const Execution& execution, const Points& points, std::size_t k)
-    : m_execution(execution), m_points(points), m_tree(points), m_k(k)
+  Tangent_ring_finder(const Execution& execution, const Points& points)
+    : m_execution(execution), m_points(points), m_tree(points)
   {
   }
 
-  Tangent_rings find() const
+  /// Rings among `k` neighbours, the point itself included.
+  Tangent_rings find(std::size_t k) const
   {
     std::vector<std::vector<Ring_triangle> > stars(m_points.size());
-    parallel_for(m_execution, m_points.size(), [&](std::size_t i) { stars[i] = star(i); });
+    parallel_for(m_execution, m_points.size(), [&](std::size_t i) { stars[i] = star(i, k); });
 
     Tangent_rings rings;
     for(const std::vector<Ring_triangle>& triangles : stars)
@@ -125,10 +127,10 @@ private:
   /// all inverted neighbours are on one side of the line through the inverted a and b. The star of i is therefore
   /// the convex hull of the inverted neighbours, as far as i is on the inner side of its edges. Of
   /// cocircular points the hull keeps the corners, which is a valid triangulation as well.
-  std::vector<Ring_triangle> star(std::size_t i) const
+  std::vector<Ring_triangle> star(std::size_t i, std::size_t k) const
   {
     std::vector<Neighbor> found;
-    m_tree.find(m_points[i], m_k, found);
+    m_tree.find(m_points[i], k, found);
     std::size_t count = found.size();
     for(std::size_t j = certain_neighbors + 1; j < count; ++j)
       if(found[j].squared_distance > largest_step * largest_step * found[j - 1].squared_distance)
@@ -196,13 +198,12 @@ private:
   const Execution& m_execution;
   const Points& m_points;
   Nearest_neighbors m_tree;
-  std::size_t m_k;
 };
 
 inline Tangent_rings find_tangent_rings(const Execution& execution, const Points& points,
                                         std::size_t k)
 {
-  return Tangent_ring_finder(execution, points, k).find();
+  return Tangent_ring_finder(execution, points).find(k);
 }
 
 /// Of the parts that edges join.
@@ -220,17 +221,19 @@ inline std::size_t number_of_components(const Tangent_rings& rings)
 inline Tangent_rings find_joined_rings(const Execution& execution, const Points& points)
 {
   constexpr double growth = 1.3;  // 12, 15, 19, 24: few more than needed
+  const Tangent_ring_finder finder(execution, points);
   std::size_t k = default_ring_neighbors(points.size());
-  Tangent_rings rings = find_tangent_rings(execution, points, k);
-  if(number_of_components(rings) == 1)
+  Tangent_rings rings = finder.find(k);
+  std::size_t components = number_of_components(rings);
+  if(components == 1)
     return rings;
-  Tangent_rings widest = find_tangent_rings(execution, points, most_ring_neighbors);
-  const std::size_t components = number_of_components(widest);
-  while(number_of_components(rings) > components) {
+  Tangent_rings widest = finder.find(most_ring_neighbors);
+  for(const std::size_t least = number_of_components(widest); components > least;) {
     k = std::size_t(growth * double(k));
     if(k >= most_ring_neighbors)
       return widest;
-    rings = find_tangent_rings(execution, points, k);
+    rings = finder.find(k);
+    components = number_of_components(rings);
   }
   return rings;
 }
