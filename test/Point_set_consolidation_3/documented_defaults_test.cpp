@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cassert>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -724,6 +725,20 @@ void surfaces()
   f.check({{"enhance_features", 1}}, [&] { return run(maps.grid_resolution(24)); },
           [&](Values v) { return run(maps.grid_resolution(24).enhance_features(v["enhance_features"] != 0)); });
   f.documented({"segment_methods", 0});
+
+  // values that are none of the enumerators are errors that name the parameter
+  const auto rejects = [&](const auto& np, const std::string& name) {
+    try {
+      run(np);
+      return false;
+    }
+    catch(const std::invalid_argument& error) {
+      return std::string(error.what()).find(name) != std::string::npos;
+    }
+  };
+  assert(rejects(base.segmentation_method(pkg::Segmentation_method(3)), "segmentation_method"));
+  const std::vector<pkg::Part_method> unknown = {pkg::Part_method::DATA, pkg::Part_method(3)};
+  assert(rejects(base.segment_methods(unknown), "segment_methods"));
 }
 
 void meso_skeletons()
