@@ -33,8 +33,8 @@
 #include <CGAL/wlop_project_point_set.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cassert>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iostream>
