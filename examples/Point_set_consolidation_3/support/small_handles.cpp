@@ -35,8 +35,8 @@ constexpr std::size_t roots_of_loop = 8;
 /// Steps of smoothing that part the two caps of a cut.
 constexpr int smoothing_steps = 5;
 
-/// Of bridges and tunnels, in the noise. Three views of 17 models with 2 % of noise, three scans each: at least 39 false
-/// handles without, 3 with 2, 1 with 3. Of the three handles of refined_elephant two or three go with either.
+/// Of bridges and tunnels, in the noise. Three views of 17 models with 2 % of noise, three scans each: at least 39
+/// false handles without, 3 with 2, 1 with 3. Of the three handles of refined_elephant two or three go with either.
 constexpr double noise_width = 3;
 
 Mesh surface_mesh(const Triangle_mesh& triangles)

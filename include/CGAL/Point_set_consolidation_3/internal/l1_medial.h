@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/recentring.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
 #include <CGAL/Point_set_consolidation_3/internal/sorted_grid.h>

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_consolidation_3/internal/contraction_samples.h>
 #include <CGAL/Point_set_consolidation_3/internal/laplacian_contraction.h>
 #include <CGAL/Point_set_consolidation_3/internal/recentring.h>
+#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_parameters.h>
 #include <CGAL/Point_set_consolidation_3/internal/skeleton_thinning.h>
 

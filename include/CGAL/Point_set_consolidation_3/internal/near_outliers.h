@@ -114,32 +114,32 @@ class Near_outliers {
   static constexpr std::size_t fitted_neighbors = 24, sparsity_neighbors = 6;
   static constexpr double least_scale = 0.25;  ///< of the limit: smaller residuals all have full weight
 
-  /// The data that count, and how sparse they are.
-  class Base {
-  public:
-    Base(const Execution& execution, const Points& data, const std::vector<Index>& kept)
-      : m_kept(kept), m_points(selected(data, kept)), m_tree(execution, m_points)
-    {
-    }
+  /// The data that count, and how sparse all are among them.
+  struct Base {
+    std::vector<Index> kept;
+    Points points;
+    Nearest_neighbors tree;
+    std::vector<double> sparsity;
 
-    const Vec3& point(const Neighbor& neighbor) const { return m_points[neighbor.index]; }
-    Index original(const Neighbor& neighbor) const { return m_kept[neighbor.index]; }
+    Base(const Execution& execution, const Points& data, const std::vector<Index>& order, std::vector<Index> indices)
+      : kept(std::move(indices)), points(selected(data, kept)), tree(execution, points), sparsity(data.size(), 0.)
+    {
+      parallel_for_places(execution, order, [&](std::size_t i) {
+        for(const Neighbor& neighbor : neighbors_of(i, data[i], sparsity_neighbors))
+          sparsity[i] += std::sqrt(neighbor.squared_distance);
+      });
+    }
 
     /// Without datum i.
     std::vector<Neighbor> neighbors_of(std::size_t i, const Vec3& place, std::size_t k) const
     {
       std::vector<Neighbor> found;
-      m_tree.find(place, k + 1, found);
-      const auto self = std::find_if(found.begin(), found.end(),
-                                     [&](const Neighbor& n) { return m_kept[n.index] == i; });
+      tree.find(place, k + 1, found);
+      const auto self =
+        std::find_if(found.begin(), found.end(), [&](const Neighbor& n) { return kept[n.index] == i; });
       found.erase(self == found.end() ? found.end() - 1 : self);
       return found;
     }
-
-  private:
-    const std::vector<Index>& m_kept;
-    Points m_points;
-    Nearest_neighbors m_tree;
   };
 
 public:
@@ -162,38 +162,33 @@ public:
     std::vector<char> is_outlier(m_data.size(), 0);
     if(kept.size() <= fitted_neighbors)
       return is_outlier;
-    const Base base(m_execution, m_data, kept);
-    std::vector<double> sparsity(m_data.size(), 0.);
+    const Base base(m_execution, m_data, m_order, std::move(kept));
     parallel_for_places(m_execution, m_order, [&](std::size_t i) {
-      for(const Neighbor& neighbor : base.neighbors_of(i, m_data[i], sparsity_neighbors))
-        sparsity[i] += std::sqrt(neighbor.squared_distance);
-    });
-    parallel_for_places(m_execution, m_order, [&](std::size_t i) {
-      is_outlier[i] = is_candidate[i] && is_off(base, sparsity, evidences, i, m_foot.feet[i], true) &&
-                      is_off(base, sparsity, evidences, i, m_data[i], false);
+      is_outlier[i] = is_candidate[i] && is_off(base, evidences, i, m_foot.feet[i], true) &&
+                      is_off(base, evidences, i, m_data[i], false);
     });
     return is_outlier;
   }
 
 private:
   /// How dense the data is, the neighbours of the foot tell: those of the point may be outliers themselves.
-  bool is_off(const Base& base, const std::vector<double>& sparsity, const std::vector<Outlier_evidence>& evidences,
-              std::size_t i, const Vec3& place, bool tests_sparsity) const
+  bool is_off(const Base& base, const std::vector<Outlier_evidence>& evidences, std::size_t i, const Vec3& place,
+              bool tests_sparsity) const
   {
     const double h = m_parameters.support_radius, limit = evidences.front().distance * h;
     const std::vector<Neighbor> found = base.neighbors_of(i, place, fitted_neighbors);
     std::vector<double> sparsities;
     sparsities.reserve(found.size());
     for(const Neighbor& neighbor : found)
-      sparsities.push_back(sparsity[base.original(neighbor)]);
-    const double relative_sparsity = sparsity[i] / median(std::move(sparsities));
+      sparsities.push_back(base.sparsity[base.kept[neighbor.index]]);
+    const double relative_sparsity = base.sparsity[i] / median(std::move(sparsities));
     const auto is_sparse = [&](const Outlier_evidence& e) { return relative_sparsity > e.sparsity; };
     if(tests_sparsity && std::none_of(evidences.begin(), evidences.end(), is_sparse))
       return false;
     const Vec3& foot = m_foot.feet[i];
     Robust_height quadric(m_foot.normals[i], found.size());
     for(const Neighbor& neighbor : found)
-      quadric.add(base.point(neighbor) - foot, m_foot.distance[base.original(neighbor)]);
+      quadric.add(base.points[neighbor.index] - foot, m_foot.distance[base.kept[neighbor.index]]);
     if(!quadric.fit(least_scale * limit))
       return false;
     const double off = quadric.distance(m_data[i] - foot);

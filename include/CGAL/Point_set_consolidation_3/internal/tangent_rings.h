@@ -13,7 +13,6 @@
 #include <CGAL/Point_set_consolidation_3/internal/local_pca.h>
 #include <CGAL/Point_set_consolidation_3/internal/nearest_neighbors.h>
 #include <CGAL/Point_set_consolidation_3/internal/parallel_for.h>
-#include <CGAL/Point_set_consolidation_3/internal/skeleton_graph.h>
 
 #include <array>
 
