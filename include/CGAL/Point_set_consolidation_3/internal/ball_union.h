@@ -46,7 +46,7 @@ public:
           Eigen::Map<Eigen::ArrayXf> row(solid.row(y, z), solid.size(0));
           row = row.max(Eigen::Map<const Eigen::ArrayXf>(phi->row(y, z), solid.size(0)));
         }
-    });
+    }, long_bodies);
     return std::move(solid);
   }
 

@@ -70,7 +70,7 @@ public:
       m_diagonal = bounding_box(m_particles).diagonal();
     }
     m_closed = Completed_points();
-    m_narrow = Narrow_gaps();
+    m_narrow.clear();
     Completed_points allowed = completed;
     if(!m_parameters.is_frozen.empty())
       allowed.keep_if([&](const Vec3& x) {
@@ -83,6 +83,17 @@ public:
   }
 
 private:
+  /// A gap that the mesher might bridge better.
+  struct Narrow_gap {
+    Completed_points by_balls;  ///< the hull of the balls
+    Completed_points smooth;    ///< none if no smooth surface is trusted
+    double half_width = 0;
+    double error = 0;           ///< predicted of the hull, by the balls' radius
+    double deviation = 0;       ///< of the smooth surface, by half the gap's width
+
+    bool is_smooth() const { return !smooth.points.empty(); }
+  };
+
   void sort_in(const Completed_points& completed, std::vector<Index> indices, bool is_all_open)
   {
     std::sort(indices.begin(), indices.end());
@@ -100,36 +111,41 @@ private:
       m_closed.append(gap);
       return;
     }
-    const double number = double(gap.points.size());
-    m_narrow.points += number;
-    m_narrow.error += number * prediction_error(border, half_width) / typical_radius(gap);
-    m_narrow.by_balls.append(gap);
-    double deviation = 0;
-    if(close_smoothly(gap, half_width, deviation)) {
-      m_narrow.deviation += number * deviation;
-      m_narrow.smooth_points += number;
-      m_narrow.smooth.append(gap);
-    }
-    else
-      m_narrow.others.append(gap);
+    Narrow_gap narrow;
+    narrow.half_width = half_width;
+    narrow.error = prediction_error(border, half_width) / typical_radius(gap);
+    narrow.by_balls = std::move(gap);
+    m_narrow.push_back(std::move(narrow));
   }
 
   /// The narrow ones are completed together or not at all: the level that Poisson reconstruction extracts belongs to
   /// all points, and thin parts left open beside closed ones would be lost, or tied to others by webs.
   void close_narrow()
   {
-    const double smooth_share = m_narrow.smooth_points / (std::max)(1., m_narrow.points);
-    if(m_narrow.error < predictable * m_narrow.points &&
-       m_narrow.points > least_share * double(m_seen.points.size())) {
-      if(smooth_share < replacing_share || m_narrow.deviation > better_than_balls * m_narrow.smooth_points)
-        m_closed.append(m_narrow.by_balls);
-      else {
-        m_closed.append(m_narrow.smooth);
-        m_closed.append(m_narrow.others);
+    parallel_for(m_execution, m_narrow.size(), [&](std::size_t k) { close_smoothly(m_narrow[k]); }, long_bodies);
+    double points = 0, error = 0, smooth_points = 0, deviation = 0;
+    for(const Narrow_gap& gap : m_narrow) {
+      const double number = double(gap.by_balls.points.size());
+      points += number;
+      error += number * gap.error;
+      if(gap.is_smooth()) {
+        smooth_points += number;
+        deviation += number * gap.deviation;
       }
     }
-    else if(smooth_share > closing_share)
-      m_closed.append(m_narrow.smooth);
+    const double smooth_share = smooth_points / (std::max)(1., points);
+    const bool are_balls_right =
+      error < predictable * points && points > least_share * double(m_seen.points.size());
+    const bool is_smooth_right = are_balls_right ? smooth_share >= replacing_share &&
+                                                     deviation <= better_than_balls * smooth_points
+                                                 : smooth_share > closing_share;
+    if(is_smooth_right)
+      for(const Narrow_gap& gap : m_narrow)
+        m_closed.append(gap.smooth);
+    if(are_balls_right)
+      for(const Narrow_gap& gap : m_narrow)
+        if(!is_smooth_right || !gap.is_smooth())
+          m_closed.append(gap.by_balls);
   }
 
   bool is_balloon(const Completed_points& gap, double half_width) const
@@ -141,25 +157,25 @@ private:
                        [&](const Vec3& x) { return m_hull->distance(x) > most; });
   }
 
-  /// Onto the smooth surface that goes on from the data around, if that predicts itself well: `deviation`, by half the
-  /// gap's width.
-  bool close_smoothly(Completed_points& gap, double half_width, double& deviation) const
+  /// Onto the smooth surface that goes on from the data around, if that predicts itself well.
+  void close_smoothly(Narrow_gap& gap) const
   {
-    if(gap.points.size() < least_points || m_seen.is_noisy)  // the deviation knows nothing of errors of the normals
-      return false;
-    const Hermite_surface surface = m_surfaces.around(gap.points);
-    Completed_points closed = gap;
+    const Points& points = gap.by_balls.points;
+    if(points.size() < least_points || m_seen.is_noisy)  // the deviation knows nothing of errors of the normals
+      return;
+    const Hermite_surface surface = m_surfaces.around(points);
+    Completed_points closed = gap.by_balls;
     if(surface.number_of_centres() < least_centres || !surface.project(closed.points, closed.normals))
-      return false;
-    const std::size_t stride = 1 + gap.points.size() / tested_points;
+      return;
+    const std::size_t stride = 1 + points.size() / tested_points;
     std::vector<double> deviations, moves;
     for(std::size_t i = 0; i < closed.points.size(); i += stride) {
       deviations.push_back(surface.deviation(closed.points[i]));
-      moves.push_back((closed.points[i] - gap.points[i]).norm());
+      moves.push_back((closed.points[i] - points[i]).norm());
     }
-    deviation = mean(deviations) / half_width;
-    if(!(deviation < largest_deviation) || mean(moves) > largest_move * half_width)
-      return false;
+    gap.deviation = mean(deviations) / gap.half_width;
+    if(!(gap.deviation < largest_deviation) || mean(moves) > largest_move * gap.half_width)
+      return;
     std::vector<Index> kept;
     std::size_t seen_through = 0;
     for(std::size_t i = 0; i < closed.points.size(); ++i) {
@@ -171,12 +187,10 @@ private:
         kept.push_back(Index(i));
     }
     if(kept.empty() || double(seen_through) > most_seen_through * double(closed.points.size()))
-      return false;
+      return;
     closed = closed.part(kept);
-    if(is_balloon(closed, half_width))
-      return false;
-    gap = std::move(closed);
-    return true;
+    if(!is_balloon(closed, gap.half_width))
+      gap.smooth = std::move(closed);
   }
 
   /// A plane through the border, or the gap as it is if the border is far from flat.
@@ -256,12 +270,7 @@ private:
   std::unique_ptr<Data_hull> m_hull;   ///< of the data, if that bounds completion
   double m_diagonal = 0;               ///< of the data then
   Completed_points m_closed;
-  /// Gaps that the mesher might bridge better: as the hull of the balls, of which `others` have no smooth closure.
-  struct Narrow_gaps {
-    Completed_points by_balls, others, smooth;
-    double points = 0, smooth_points = 0;  ///< of the hull
-    double error = 0, deviation = 0;       ///< sums of the predicted ones, of all by balls and of the smooth ones
-  } m_narrow;
+  std::vector<Narrow_gap> m_narrow;
 };
 
 }  // namespace internal

@@ -207,16 +207,23 @@ inline void assume_single_view(const Execution& execution, bool is_oriented, Con
       n = -n;
 }
 
-/// Particles of the data in `input`, whose unit becomes their spacing r, equation (1).
-inline void project_particles(Execution& execution, double share, const Input_parameters& parameters,
-                              Consolidated_input& input)
+/// Particles of the data in `input`, whose unit becomes their spacing r, equation (1). The data get sides beside it if
+/// they have to be found, to which the particles are nothing: CGAL's WLOP, sequential in part, leaves a thread free.
+inline void project_particles(Execution& execution, double share, bool find_sides, const Points& hints,
+                              const Input_parameters& parameters, Consolidated_input& input)
 {
   Stage stage(execution, "wlop", share);
-  const std::size_t count = number_of_particles(parameters, input.data.size());
-  const double radius = parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
-  input.points = wlop(execution, stage, input.data, count, radius, parameters.iterations,
-                      parameters.require_uniform_sampling);
-  remove_lone_particles(execution, input.points);
+  const auto project = [&] {
+    const std::size_t count = number_of_particles(parameters, input.data.size());
+    const double radius = parameters.neighbor_radius > 0 ? parameters.neighbor_radius / input.frame.unit : 2;
+    input.points = wlop(execution, stage, input.data, count, radius, parameters.iterations,
+                        parameters.require_uniform_sampling);
+    remove_lone_particles(execution, input.points);
+  };
+  if(find_sides)
+    run_both(execution, project, [&] { input.seen = oriented_data(execution, input.data, hints); });
+  else
+    project();
   const double r =
     mean(neighbor_distances(execution, Nearest_neighbors(input.points), input.points, 1));
   if(!(r > 0))
@@ -227,11 +234,12 @@ inline void project_particles(Execution& execution, double share, const Input_pa
   for(Points* points : {&input.points, &input.data})
     for(Vec3& p : *points)
       p /= r;
+  input.seen.change_unit(r);
 }
 
-/// Their normals. Where the scanner is not known, the data get sides as well, and its direction is looked for.
-inline void orient_particles(Execution& execution, double share, const Points& hints,
-                             const Input_parameters& parameters, Consolidated_input& input)
+/// Their normals. Where the scanner is not known, its direction is looked for.
+inline void orient_particles(Execution& execution, double share, bool is_oriented, const Input_parameters& parameters,
+                             Consolidated_input& input)
 {
   Stage stage(execution, "normals", share);
   input.normals = jet_normals(execution, input.points, parameters.normal_neighbors);
@@ -239,9 +247,8 @@ inline void orient_particles(Execution& execution, double share, const Points& h
   if(!input.directions.empty())
     orient_by_hints(execution, input.points, input.normals, input.data, input.directions.towards_scanner);
   else {
-    input.seen = oriented_data(execution, input.data, hints);
     orient_by_hints(execution, input.points, input.normals, input.data, input.seen.normals);
-    assume_single_view(execution, !hints.empty(), input);
+    assume_single_view(execution, is_oriented, input);
   }
 }
 
@@ -299,13 +306,14 @@ inline Consolidated_input consolidate_data(Execution& execution, double share, c
     kept = selected(kept, rest);
   };
   const auto make_particles = [&](double part) {
-    project_particles(execution, 0.9 * part, parameters, input);
+    project_particles(execution, 0.9 * part, scan.directions.empty(), selected_if_any(scan.hints, kept), parameters,
+                      input);
     if(!scan.directions.empty()) {
       input.directions = scan.directions.part(kept);
       for(Vec3& p : input.directions.missed)
         p = input.frame.to_local(p);
     }
-    orient_particles(execution, 0.1 * part, selected_if_any(scan.hints, kept), parameters, input);
+    orient_particles(execution, 0.1 * part, !scan.hints.empty(), parameters, input);
   };
   if(!scan.directions.empty()) {
     denoise(scan.directions.part(kept));

@@ -373,7 +373,7 @@ private:
       parallel_for(m_execution, holes.size(), [&](std::size_t k) {
         if(!holes[k].points.empty())
           filling.run(holes[k]);
-      });
+      }, long_bodies);
     }
     for(const Hole& hole : holes) {
       m_result.new_points.insert(m_result.new_points.end(), hole.points.begin(), hole.points.end());

@@ -116,7 +116,7 @@ public:
     parallel_for(m_execution, best.size(), [&](std::size_t c) {
       best[c].plane = refined(best[c].plane, sample(fine_samples), coarse_tolerance);
       best[c].score = score(evidence(best[c].plane));
-    });
+    }, long_bodies);
     std::stable_sort(best.begin(), best.end(),
                      [](const Scored& a, const Scored& b) { return a.score > b.score; });
     for(const Scored& c : best)

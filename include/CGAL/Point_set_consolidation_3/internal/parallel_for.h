@@ -13,6 +13,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <atomic>
@@ -30,13 +31,16 @@ namespace internal {
 
 /// The one parallel loop, and long calls into CGAL.
 
+/// Indices that a thread takes at a time, at least: a few, with which overhead is not measurable (64 neighbour sums are
+/// about 0.1 ms), or one, where the body is as long itself.
+constexpr std::size_t short_bodies = 64, long_bodies = 1;
+
 #ifdef CGAL_LINKED_WITH_TBB
 /// Calls `run(body, begin, end)` for ranges that cover [0, n), by several threads. The type of the body is hidden, so
 /// that a program has one loop of TBB and not one for each body.
-inline void parallel_ranges(std::size_t n, void (*run)(const void* body, std::size_t begin, std::size_t end),
-                            const void* body)
+inline void parallel_ranges(std::size_t n, std::size_t grain,
+                            void (*run)(const void* body, std::size_t begin, std::size_t end), const void* body)
 {
-  constexpr std::size_t grain = 64;  // about 0.1 ms of neighbour sums: overhead not measurable
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                     [=](const tbb::blocked_range<std::size_t>& range) { run(body, range.begin(), range.end()); });
 }
@@ -45,7 +49,7 @@ inline void parallel_ranges(std::size_t n, void (*run)(const void* body, std::si
 /// Calls `body(i)` for i in [0, n). `body` writes only to slots of its own i, so that the result is the
 /// same for any number of threads.
 template <typename Body>
-void parallel_for(const Execution& execution, std::size_t n, const Body& body)
+void parallel_for(const Execution& execution, std::size_t n, const Body& body, std::size_t grain = short_bodies)
 {
   const auto run = [](const void* hidden, std::size_t begin, std::size_t end) {
     const Body& body = *static_cast<const Body*>(hidden);
@@ -54,13 +58,53 @@ void parallel_for(const Execution& execution, std::size_t n, const Body& body)
   };
 #ifdef CGAL_LINKED_WITH_TBB
   if(execution.parallel) {
-    parallel_ranges(n, run, &body);
+    parallel_ranges(n, grain, run, &body);
+    return;
+  }
+#else
+  (void)execution;
+  (void)grain;
+#endif
+  run(&body, 0, n);
+}
+
+/// Calls `first` on this thread, since it may report progress, and `second` beside it if a thread is free, else after it
+/// and only if `first` has not thrown. Both have ended when this returns or throws.
+template <typename First, typename Second>
+void run_both(const Execution& execution, const First& first, const Second& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution.parallel) {
+    std::atomic<bool> has_failed{false};
+    tbb::task_group group;
+    group.run([&] {
+      if(!has_failed)
+        second();
+    });
+    std::exception_ptr error;
+    try {
+      first();
+    }
+    catch(...) {
+      error = std::current_exception();
+      has_failed = true;
+    }
+    try {
+      group.wait();
+    }
+    catch(...) {
+      if(!error)
+        error = std::current_exception();
+    }
+    if(error)
+      std::rethrow_exception(error);
     return;
   }
 #else
   (void)execution;
 #endif
-  run(&body, 0, n);
+  first();
+  second();
 }
 
 /// Runs `work(observer)`, a long call into CGAL whose own callback may come from another thread

@@ -24,6 +24,14 @@ struct Seen_part {
   double spacing = 0;  ///< sp: mean distance to six neighbours, median over the points
   double noise = 0;    ///< sigma: median residual of the fits
   bool is_noisy = false;
+
+  void change_unit(double unit)
+  {
+    for(Vec3& p : points)
+      p /= unit;
+    spacing /= unit;
+    noise /= unit;
+  }
 };
 
 class Seen_part_estimation {

@@ -21,7 +21,7 @@ namespace internal {
 
 /// Points on the zero set of a grid that are closer to each other than its nodes: each cell that the set crosses is
 /// divided in eight, with values between the nodes by cubics (Lagrange's), and the edges of the parts are searched for
-/// changes of sign. Neighbouring cells find the points of common edges twice.
+/// changes of sign.
 class Zero_set_samples {
   static constexpr int nodes = 3;                     ///< of a divided cell, along an axis
   static constexpr int support = 4;                   ///< nodes of the grid that a cubic needs
@@ -38,9 +38,9 @@ public:
         return;
       for(int y = 0; y + 1 < grid.size(1); ++y)
         for(int x = 0; x + 1 < grid.size(0); ++x)
-          if(is_crossed(grid, is_outside, x, y, z))
-            add_crossings(grid, x, y, z, of_layer[layer]);
-    });
+          if(is_crossed(grid, is_outside, {x, y, z}))
+            add_crossings(grid, is_outside, {x, y, z}, of_layer[layer]);
+    }, long_bodies);
     Points points;
     for(const Points& layer : of_layer)
       points.insert(points.end(), layer.begin(), layer.end());
@@ -48,29 +48,62 @@ public:
   }
 
 private:
-  static bool is_crossed(const Scalar_grid& grid, const std::vector<char>& is_outside, int x, int y, int z)
+  /// A cell by its lowest node.
+  typedef std::array<int, 3> Cell;
+
+  static bool is_crossed(const Scalar_grid& grid, const std::vector<char>& is_outside, const Cell& cell)
   {
     bool has_outside = false, has_inside = false;
     for(int corner = 0; corner < 8; ++corner) {
-      const std::size_t i = grid.at(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
+      const std::size_t i =
+        grid.at(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2));
       has_outside = has_outside || is_outside[i];
       has_inside = has_inside || grid[i] <= 0;
     }
     return has_outside && has_inside;
   }
 
-  static void add_crossings(const Scalar_grid& grid, int x, int y, int z, Points& points)
+  /// Whether a cell before this one, in x, y, z or several of them, is crossed; bit k of the index: in axis k.
+  typedef std::array<bool, 8> Crossed_before;
+
+  static Crossed_before crossed_before(const Scalar_grid& grid, const std::vector<char>& is_outside, const Cell& cell)
   {
-    const Values values = divided(grid, x, y, z);
+    Crossed_before crossed{};
+    for(int which = 1; which < 8; ++which) {
+      const Cell before = {cell[0] - (which & 1), cell[1] - (which >> 1 & 1), cell[2] - (which >> 2)};
+      crossed[std::size_t(which)] =
+        before[0] >= 0 && before[1] >= 0 && before[2] >= 0 && is_crossed(grid, is_outside, before);
+    }
+    return crossed;
+  }
+
+  /// Whether one of those before has the edge along `axis` from `place` as well, and has found its point.
+  static bool is_shared(const Crossed_before& crossed, const std::array<int, 3>& place, std::size_t axis)
+  {
+    unsigned int faces = 0;  // the lower ones that hold the edge
+    for(std::size_t other = 0; other < 3; ++other)
+      if(other != axis && place[other] == 0)
+        faces |= 1u << other;
+    for(unsigned int which = 1; which < 8; ++which)
+      if((which & faces) == which && crossed[which])
+        return true;
+    return false;
+  }
+
+  static void add_crossings(const Scalar_grid& grid, const std::vector<char>& is_outside, const Cell& cell,
+                            Points& points)
+  {
+    const Values values = divided(grid, cell);
+    const Crossed_before crossed = crossed_before(grid, is_outside, cell);
     const double step = grid.step() / (nodes - 1);
-    const Vec3 corner = grid.node(x, y, z);
+    const Vec3 corner = grid.node(cell[0], cell[1], cell[2]);
     for(int i = 0; i < int(values.size()); ++i) {
       const std::array<int, 3> place = {i % nodes, i / nodes % nodes, i / (nodes * nodes)};
       for(std::size_t axis = 0, stride = 1; axis < 3; ++axis, stride *= nodes) {
         if(place[axis] + 1 == nodes)
           continue;
         const double a = values[std::size_t(i)], b = values[std::size_t(i) + stride];
-        if((a > 0) == (b > 0))
+        if((a > 0) == (b > 0) || is_shared(crossed, place, axis))
           continue;
         Vec3 p(place[0], place[1], place[2]);
         p[Eigen::Index(axis)] += a / (a - b);
@@ -80,7 +113,7 @@ private:
   }
 
   /// Values at the corners of the parts, x fastest: cubics along z, then y, then x.
-  static Values divided(const Scalar_grid& grid, int x, int y, int z)
+  static Values divided(const Scalar_grid& grid, const Cell& cell)
   {
     const auto clamped = [&](int axis, int coordinate) {
       return (std::max)(0, (std::min)(grid.size(axis) - 1, coordinate));
@@ -90,7 +123,8 @@ private:
       for(int i = 0; i < support; ++i) {
         std::array<float, support> column;
         for(int k = 0; k < support; ++k)
-          column[std::size_t(k)] = grid[grid.at(clamped(0, x + i - 1), clamped(1, y + j - 1), clamped(2, z + k - 1))];
+          column[std::size_t(k)] =
+            grid[grid.at(clamped(0, cell[0] + i - 1), clamped(1, cell[1] + j - 1), clamped(2, cell[2] + k - 1))];
         for(int k = 0; k < nodes; ++k)
           along_z[std::size_t((k * support + j) * support + i)] = between(column, k);
       }
