@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Normals with random signs get their outer sides back: smooth and sharp shapes, thin plates, parts that nearly touch,
-// noise, open surfaces, and more points than are compared.
+// noise, open surfaces, more points than are compared, and noise in which small neighbourhoods tell nothing.
 
 #undef NDEBUG
 
 #include "random_numbers.h"
 
 #include <CGAL/Point_set_consolidation_3/internal/dipole_orientation.h>
+#include <CGAL/Point_set_consolidation_3/internal/input_stage.h>
 
 #include <cassert>
 #include <cmath>
@@ -80,6 +81,16 @@ Shape torus(std::size_t count, double radius, double noise)
   return shape;
 }
 
+double wrong_share(const std::string& name, const Shape& shape, const Points& normals)
+{
+  std::size_t wrong = 0;
+  for(std::size_t i = 0; i < normals.size(); ++i)
+    wrong += normals[i].dot(shape.normals[i]) < 0;
+  const double share = double(wrong) / double(normals.size());
+  std::cout << name << ": " << share << " wrong\n";
+  return share;
+}
+
 // Share of normals on the wrong side after their signs were thrown away, and found again.
 double wrong_share(const std::string& name, const Shape& shape)
 {
@@ -90,14 +101,23 @@ double wrong_share(const std::string& name, const Shape& shape)
     if(random.uniform() < 0.5)
       n = -n;
   orient_by_dipoles(execution, shape.points, normals);
-  std::size_t wrong = 0;
-  for(std::size_t i = 0; i < normals.size(); ++i) {
+  for(std::size_t i = 0; i < normals.size(); ++i)
     assert(std::abs(std::abs(normals[i].dot(shape.normals[i])) - 1) < 1e-12);  // only signs change
-    wrong += normals[i].dot(shape.normals[i]) < 0;
-  }
-  const double share = double(wrong) / double(normals.size());
-  std::cout << name << ": " << share << " wrong\n";
-  return share;
+  return wrong_share(name, shape, normals);
+}
+
+// Noise of a quarter of the radius of the tube: normals of 30 neighbours, by which signs are found otherwise, are
+// nearly random.
+void strong_noise()
+{
+  const Execution execution = make_execution<CGAL::Sequential_tag>();
+  const Shape shape = torus(20000, 0.3, 0.15);
+  const Seen_part seen = oriented_data(execution, shape.points, Points());
+  const double share = wrong_share("strong noise, many neighbours", shape, seen.normals);
+  Points normals = seen.normals;
+  orient_by_dipoles(execution, seen.points, normals);
+  assert(share < 0.6 * wrong_share("strong noise, few neighbours", shape, normals));
+  assert(share < 0.05);
 }
 
 // Degenerate sets: nothing to find, but nothing breaks either.
@@ -137,6 +157,7 @@ int main()
   assert(wrong_share("torus", torus(4000, 0.3, 0)) == 0);
   assert(wrong_share("noisy torus", torus(4000, 0.3, 0.05)) < 0.01);
   assert(wrong_share("many points", torus(60000, 0.3, 0)) == 0);
+  strong_noise();
   few_points();
   std::cout << std::flush;
 }

@@ -181,6 +181,25 @@ inline void remove_lone_particles(const Execution& execution, Points& points)
   points = selected(points, kept);
 }
 
+/// Finds the outer sides of the data. In strong noise their normals, of few neighbours, are no help: some of the data
+/// with normals of as many as the noise needs are oriented first. (Two and three views, 2 % of noise: of 14 models 17 %
+/// of the sides were wrong in the mean, 12 % then; with 0.5 % of noise thin parts got lost.)
+inline void orient_outwards(const Execution& execution, const Points& data, Seen_part& seen)
+{
+  constexpr std::size_t usual_neighbors = 30, most_neighbors = 60;
+  const Nearest_neighbors tree(execution, data);
+  const std::size_t neighbors =
+    seen.is_noisy ? Seen_part_estimation::resolving_neighbors(execution, data, tree) : usual_neighbors;
+  if(neighbors <= most_neighbors) {
+    orient_by_dipoles(execution, seen.points, seen.normals);
+    return;
+  }
+  Points points = selected(data, random_subset(data.size(), data.size() * usual_neighbors / neighbors, 0)), normals;
+  Seen_part_estimation::project(execution, data, tree, neighbors, points, normals);
+  orient_by_dipoles(execution, points, normals);
+  orient_by_hints(execution, seen.points, seen.normals, points, normals);
+}
+
 /// The data with outward normals: on the side of the rough ones in `hints`, or found. Particles are coarser than thin
 /// parts, where they get 20 times as many sides wrong.
 inline Seen_part oriented_data(const Execution& execution, const Points& data, const Points& hints)
@@ -189,7 +208,7 @@ inline Seen_part oriented_data(const Execution& execution, const Points& data, c
   if(!hints.empty())
     orient_by_hints(execution, data, seen.normals, data, hints);
   else
-    orient_by_dipoles(execution, seen.points, seen.normals);
+    orient_outwards(execution, data, seen);
   return seen;
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_consolidation_3/internal/place_order.h>
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
+#include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 
 namespace CGAL {
 namespace Point_set_consolidation_3 {
@@ -61,16 +62,51 @@ public:
     seen.noise = median(residual);
     seen.spacing = median(spacing);
     seen.is_noisy = seen.noise > noisy_residual * seen.spacing;
-    if(seen.is_noisy) {
-      parallel_for_places(execution, points, [&](std::size_t i) {
-        std::vector<Neighbor> neighbors;
-        tree.find(points[i], denoising_neighbors, neighbors);
-        const Quadric_fit fit = fit_quadric(points, points[i], neighbors);
-        seen.points[i] = fit.projection;
-        seen.normals[i] = fit.normal;
-      });
-    }
+    if(seen.is_noisy)
+      project(execution, points, tree, denoising_neighbors, seen.points, seen.normals);
     return seen;
+  }
+
+  /// Moves `queries` onto quadrics of so many of their neighbours among the points.
+  static void project(const Execution& execution, const Points& points, const Nearest_neighbors& tree,
+                      std::size_t neighbors, Points& queries, Points& normals)
+  {
+    normals.resize(queries.size());
+    parallel_for_places(execution, queries, [&](std::size_t i) {
+      std::vector<Neighbor> nearest;
+      tree.find(queries[i], neighbors, nearest);
+      const Quadric_fit fit = fit_quadric(points, queries[i], nearest);
+      queries[i] = fit.projection;
+      normals[i] = fit.normal;
+    });
+  }
+
+  /// Number of neighbours that tell normals in the noise of the points: neighbourhoods within its layer are round, and
+  /// the larger the rounder; larger ones become flat again. Twice those of the roundest.
+  static std::size_t resolving_neighbors(const Execution& execution, const Points& points,
+                                         const Nearest_neighbors& tree)
+  {
+    constexpr std::size_t most_samples = 1000, fewest = 15, most = 120;
+    const std::vector<std::size_t> samples =
+      random_subset(points.size(), (std::min)(points.size(), most_samples), 0);
+    std::size_t roundest = fewest;
+    double least = (std::numeric_limits<double>::max)();
+    for(std::size_t k = fewest; k <= most && 2 * k <= points.size(); k *= 2) {
+      std::vector<double> extent(samples.size()), residual(samples.size());
+      parallel_for(execution, samples.size(), [&](std::size_t s) {
+        const Vec3& x = points[samples[s]];
+        std::vector<Neighbor> nearest;
+        tree.find(x, k, nearest);
+        extent[s] = std::sqrt(nearest.back().squared_distance);
+        residual[s] = fit_quadric(points, x, nearest).residual;
+      });
+      const double flatness = median(std::move(extent)) / median(std::move(residual));
+      if(flatness < least) {
+        least = flatness;
+        roundest = k;
+      }
+    }
+    return 2 * roundest;
   }
 };
 
