@@ -23,8 +23,8 @@ namespace internal {
 /// divided in eight, with values between the nodes by cubics (Lagrange's), and the edges of the parts are searched for
 /// changes of sign.
 class Zero_set_samples {
-  static constexpr int nodes = 3;                     ///< of a divided cell, along an axis
-  static constexpr int support = 4;                   ///< nodes of the grid that a cubic needs
+  static constexpr std::size_t nodes = 3;             ///< of a divided cell, along an axis
+  static constexpr std::size_t support = 4;           ///< nodes of the grid that a cubic needs
   typedef std::array<float, nodes * nodes * nodes> Values;
 
 public:
@@ -78,7 +78,7 @@ private:
   }
 
   /// Whether one of those before has the edge along `axis` from `place` as well, and has found its point.
-  static bool is_shared(const Crossed_before& crossed, const std::array<int, 3>& place, std::size_t axis)
+  static bool is_shared(const Crossed_before& crossed, const std::array<std::size_t, 3>& place, std::size_t axis)
   {
     unsigned int faces = 0;  // the lower ones that hold the edge
     for(std::size_t other = 0; other < 3; ++other)
@@ -95,17 +95,17 @@ private:
   {
     const Values values = divided(grid, cell);
     const Crossed_before crossed = crossed_before(grid, is_outside, cell);
-    const double step = grid.step() / (nodes - 1);
+    const double step = grid.step() / double(nodes - 1);
     const Vec3 corner = grid.node(cell[0], cell[1], cell[2]);
-    for(int i = 0; i < int(values.size()); ++i) {
-      const std::array<int, 3> place = {i % nodes, i / nodes % nodes, i / (nodes * nodes)};
+    for(std::size_t i = 0; i < values.size(); ++i) {
+      const std::array<std::size_t, 3> place = {i % nodes, i / nodes % nodes, i / (nodes * nodes)};
       for(std::size_t axis = 0, stride = 1; axis < 3; ++axis, stride *= nodes) {
         if(place[axis] + 1 == nodes)
           continue;
-        const double a = values[std::size_t(i)], b = values[std::size_t(i) + stride];
+        const double a = values[i], b = values[i + stride];
         if((a > 0) == (b > 0) || is_shared(crossed, place, axis))
           continue;
-        Vec3 p(place[0], place[1], place[2]);
+        Vec3 p = Vec3(double(place[0]), double(place[1]), double(place[2]));
         p[Eigen::Index(axis)] += a / (a - b);
         points.push_back(corner + step * p);
       }
@@ -119,38 +119,39 @@ private:
       return (std::max)(0, (std::min)(grid.size(axis) - 1, coordinate));
     };
     std::array<float, support * support * nodes> along_z;
-    for(int j = 0; j < support; ++j)
-      for(int i = 0; i < support; ++i) {
+    for(std::size_t j = 0; j < support; ++j)
+      for(std::size_t i = 0; i < support; ++i) {
         std::array<float, support> column;
-        for(int k = 0; k < support; ++k)
-          column[std::size_t(k)] =
-            grid[grid.at(clamped(0, cell[0] + i - 1), clamped(1, cell[1] + j - 1), clamped(2, cell[2] + k - 1))];
-        for(int k = 0; k < nodes; ++k)
-          along_z[std::size_t((k * support + j) * support + i)] = between(column, k);
+        for(std::size_t k = 0; k < support; ++k)
+          column[k] =
+            grid[grid.at(clamped(0, cell[0] + int(i) - 1), clamped(1, cell[1] + int(j) - 1),
+                         clamped(2, cell[2] + int(k) - 1))];
+        for(std::size_t k = 0; k < nodes; ++k)
+          along_z[(k * support + j) * support + i] = between(column, k);
       }
     Values values;
-    for(int k = 0; k < nodes; ++k) {
+    for(std::size_t k = 0; k < nodes; ++k) {
       std::array<float, support * nodes> along_y;
-      for(int i = 0; i < support; ++i) {
+      for(std::size_t i = 0; i < support; ++i) {
         std::array<float, support> column;
-        for(int j = 0; j < support; ++j)
-          column[std::size_t(j)] = along_z[std::size_t((k * support + j) * support + i)];
-        for(int j = 0; j < nodes; ++j)
-          along_y[std::size_t(j * support + i)] = between(column, j);
+        for(std::size_t j = 0; j < support; ++j)
+          column[j] = along_z[(k * support + j) * support + i];
+        for(std::size_t j = 0; j < nodes; ++j)
+          along_y[j * support + i] = between(column, j);
       }
-      for(int j = 0; j < nodes; ++j) {
+      for(std::size_t j = 0; j < nodes; ++j) {
         std::array<float, support> row;
-        for(int i = 0; i < support; ++i)
-          row[std::size_t(i)] = along_y[std::size_t(j * support + i)];
-        for(int i = 0; i < nodes; ++i)
-          values[std::size_t((k * nodes + j) * nodes + i)] = between(row, i);
+        for(std::size_t i = 0; i < support; ++i)
+          row[i] = along_y[j * support + i];
+        for(std::size_t i = 0; i < nodes; ++i)
+          values[(k * nodes + j) * nodes + i] = between(row, i);
       }
     }
     return values;
   }
 
   /// At the second value, in the middle, at the third.
-  static float between(const std::array<float, support>& v, int place)
+  static float between(const std::array<float, support>& v, std::size_t place)
   {
     return place == 0 ? v[1] : place == 2 ? v[2] : (9 * (v[1] + v[2]) - v[0] - v[3]) / 16;
   }
