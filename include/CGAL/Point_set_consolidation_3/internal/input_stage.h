@@ -186,18 +186,20 @@ inline void remove_lone_particles(const Execution& execution, Points& points)
 /// of the sides were wrong in the mean, 12 % then; with 0.5 % of noise thin parts got lost.)
 inline void orient_outwards(const Execution& execution, const Points& data, Seen_part& seen)
 {
-  constexpr std::size_t usual_neighbors = 30, most_neighbors = 60;
-  const Nearest_neighbors tree(execution, data);
-  const std::size_t neighbors =
-    seen.is_noisy ? Seen_part_estimation::resolving_neighbors(execution, data, tree) : usual_neighbors;
-  if(neighbors <= most_neighbors) {
-    orient_by_dipoles(execution, seen.points, seen.normals);
-    return;
+  constexpr std::size_t usual_neighbors = 30, most_neighbors = 60;  // as many as 0.5 % of noise needs
+  if(seen.is_noisy) {
+    const Nearest_neighbors tree(execution, data);
+    const std::size_t neighbors = Seen_part_estimation::resolving_neighbors(execution, data, tree);
+    if(neighbors > most_neighbors) {
+      const std::size_t count = data.size() * usual_neighbors / neighbors;
+      Points points = selected(data, random_subset(data.size(), count, 0)), normals;
+      Seen_part_estimation::project(execution, data, tree, neighbors, points, normals);
+      orient_by_dipoles(execution, points, normals);
+      orient_by_hints(execution, seen.points, seen.normals, points, normals);
+      return;
+    }
   }
-  Points points = selected(data, random_subset(data.size(), data.size() * usual_neighbors / neighbors, 0)), normals;
-  Seen_part_estimation::project(execution, data, tree, neighbors, points, normals);
-  orient_by_dipoles(execution, points, normals);
-  orient_by_hints(execution, seen.points, seen.normals, points, normals);
+  orient_by_dipoles(execution, seen.points, seen.normals);
 }
 
 /// The data with outward normals: on the side of the rough ones in `hints`, or found. Particles are coarser than thin

@@ -12,6 +12,8 @@
 #include <CGAL/Point_set_consolidation_3/internal/quadric_fit.h>
 #include <CGAL/Point_set_consolidation_3/internal/sampling.h>
 
+#include <limits>
+
 namespace CGAL {
 namespace Point_set_consolidation_3 {
 namespace internal {
@@ -86,7 +88,7 @@ public:
   static std::size_t resolving_neighbors(const Execution& execution, const Points& points,
                                          const Nearest_neighbors& tree)
   {
-    constexpr std::size_t most_samples = 1000, fewest = 15, most = 120;
+    constexpr std::size_t most_samples = 1000, fewest = 15, most = 120;  // 2 % of noise needs 120 to 240
     const std::vector<std::size_t> samples =
       random_subset(points.size(), (std::min)(points.size(), most_samples), 0);
     std::size_t roundest = fewest;
